@@ -1,0 +1,115 @@
+#include "bench/app/info.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/app/methods.h"
+
+namespace bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoOptions {
+    std::string file;
+    SceneOptions scene;
+    std::string texels = "262144";
+    bool json = false;
+};
+
+Json lightmap_facts(PreparedMethods& prepared) {
+    double area = 0, without = 0, overlapping = 0;
+    std::array<std::size_t, 2> sets = {0, 0};
+    for (std::size_t i = 0; i < prepared.lightmap_uv().size(); ++i) {
+        const shlm::LightmapUv& uv = prepared.lightmap_uv()[i];
+        area += uv.area;
+        overlapping += uv.overlapping_area;
+        if (uv.texcoord_set < 0)
+            without += uv.area;
+        else
+            ++sets[uv.texcoord_set];
+    }
+    return {{"instances_by_texcoord_0", sets[0]},
+            {"instances_by_texcoord_1", sets[1]},
+            {"area", area},
+            {"area_without", without},
+            {"area_overlapping", overlapping},
+            {"usable", sets[0] + sets[1] > 0}};
+}
+
+Json texel_facts(PreparedMethods& prepared) {
+    const shlm::PreparedTexels& texels = prepared.texels();
+    std::size_t covered = 0;
+    double area = 0;
+    for (const shlm::TexelGeometry& texel : texels.geometry) {
+        covered += texel.area > 0;
+        area += texel.area;
+    }
+    return {{"total", texels.layout.texel_count()},
+            {"covered", covered},
+            {"mean_width", covered == 0 ? 0.0 : std::sqrt(area / static_cast<double>(covered))}};
+}
+
+Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
+    const common::Scene& scene = loaded.scene;
+    std::size_t emitting = 0;
+    for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) emitting += scene.material_of(t).emits();
+    double area = 0;
+    for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) area += common::triangle_area(scene, t);
+    std::array<std::size_t, 3> kinds = {0, 0, 0};
+    for (const common::Material& material : scene.material) ++kinds[static_cast<std::size_t>(material.kind)];
+    std::vector<std::string> warnings = scene.warnings;
+    warnings.insert(warnings.end(), prepared.lightmap_trouble().begin(), prepared.lightmap_trouble().end());
+    const Json lightmap = lightmap_facts(prepared);
+    return {{"scene", loaded.name},
+            {"file", scene.source},
+            {"triangles", scene.triangle.size()},
+            {"instances", scene.instance.size()},
+            {"area", area},
+            {"bounds", {{scene.bounds.min.x, scene.bounds.min.y, scene.bounds.min.z},
+                        {scene.bounds.max.x, scene.bounds.max.y, scene.bounds.max.z}}},
+            {"materials", {{"diffuse", kinds[0]}, {"mirror", kinds[1]}, {"dielectric", kinds[2]}}},
+            {"textures", scene.texture.size()},
+            {"lights", {{"emitting_triangles", emitting},
+                        {"point", scene.point_light.size()},
+                        {"spot", scene.spot_light.size()},
+                        {"directional", scene.directional_light.size()},
+                        {"sky", scene.sky.has_value()}}},
+            {"cameras", scene.camera.size()},
+            {"camera", {{"name", loaded.camera.name},
+                        {"eye", {loaded.camera.eye.x, loaded.camera.eye.y, loaded.camera.eye.z}},
+                        {"forward", {loaded.camera.forward.x, loaded.camera.forward.y, loaded.camera.forward.z}}}},
+            {"lightmap_uv", lightmap},
+            {"texels", lightmap["usable"] ? texel_facts(prepared) : Json(nullptr)},
+            {"warnings", warnings}};
+}
+
+void run(const InfoOptions& options) {
+    MethodSettings settings;
+    settings.shlm.texels = parse_count("--texels", options.texels);
+    const LoadedScene loaded(options.file, options.scene);
+    PreparedMethods prepared(loaded, settings);
+    const Json all = facts(loaded, prepared);
+    if (options.json) {
+        fmt::print("{}\n", all.dump(2));
+        return;
+    }
+    for (const auto& [key, value] : all.items())
+        if (key != "warnings") fmt::print("{:<12} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+    for (const auto& warning : all["warnings"]) fmt::print("{:<12} {}\n", "warning", warning.get<std::string>());
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app) {
+    const auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = app.add_subcommand("info", "Say what is in a scene and whether a light map fits on it");
+    command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
+    options->scene.add_to(*command);
+    command->add_option("--texels", options->texels, "Texels of the light map in all")->capture_default_str();
+    command->add_flag("--json", options->json, "Print JSON");
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace bench

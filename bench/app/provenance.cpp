@@ -1,0 +1,92 @@
+#include "bench/app/provenance.h"
+
+#include <Imath/ImathConfig.h>
+#include <OpenEXR/OpenEXRConfig.h>
+#include <OpenImageIO/oiioversion.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <flann/config.h>
+#include <oneapi/tbb/version.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "bench/app/build_info.h"
+#include "common/tracer/embree.h"
+
+namespace bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string cpu_name() {
+    std::ifstream in("/proc/cpuinfo");
+    for (std::string line; std::getline(in, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return "unknown";
+}
+
+/// What a command prints on its first line, or "unknown".
+std::string first_line_of(const std::string& command) {
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+    std::array<char, 256> line{};
+    if (!pipe || !std::fgets(line.data(), line.size(), pipe.get())) return "unknown";
+    std::string text(line.data());
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text;
+}
+
+std::string commit() {
+    return first_line_of(fmt::format("git -C '{}' describe --always --dirty --abbrev=12 2>/dev/null", source_folder));
+}
+
+Json libraries() {
+    return {{"embree", RTC_VERSION_STRING},
+            {"flann", FLANN_VERSION_},
+            {"openimageio", OIIO_VERSION_STRING},
+            {"openexr", OPENEXR_VERSION_STRING},
+            {"imath", IMATH_VERSION_STRING},
+            {"tbb", fmt::format("{}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR)},
+            {"fmt", FMT_VERSION}};
+}
+
+}  // namespace
+
+Json provenance() {
+    return {{"machine", cpu_name()},
+            {"cores", std::thread::hardware_concurrency()},
+            {"memory_bytes", static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE))},
+            {"compiler", build_compiler},
+            {"flags", build_flags},
+            {"libraries", libraries()},
+            {"commit", commit()},
+            {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
+}
+
+std::map<std::string, std::string> provenance_notes() {
+    std::map<std::string, std::string> notes;
+    const Json facts = provenance();
+    for (const auto& [key, value] : facts.items())
+        notes["shlmbench:" + key] = value.is_string() ? value.get<std::string>() : value.dump();
+    return notes;
+}
+
+std::string describe(const MethodSettings& settings) {
+    return fmt::format("k={} max-radius={:g} cone={:g} texels={} sh-weight={} gather-texels={}", settings.photonmap.nearest,
+                       settings.photonmap.max_radius, settings.photonmap.cone_slope, settings.shlm.texels,
+                       settings.shlm.weight == shlm::ShWeight::flux ? "flux" : "radiance", settings.shlm.nearest);
+}
+
+void print_warnings(const LoadedScene& scene, const PreparedMethods& prepared, bool about_lightmap) {
+    for (const std::string& line : scene.scene.warnings) fmt::print(stderr, "{}: warning: {}\n", scene.name, line);
+    if (!about_lightmap) return;
+    for (const std::string& line : prepared.lightmap_trouble()) fmt::print(stderr, "{}: warning: {}\n", scene.name, line);
+}
+
+}  // namespace bench

@@ -1,0 +1,19 @@
+#include "bench/app/run_options.h"
+
+#include <thread>
+
+#include "common/core/input_error.h"
+
+namespace bench {
+
+void RunOptions::add_to(CLI::App& command) {
+    command.add_option("--threads", threads, "0: all")->capture_default_str();
+    command.add_option("--seed", seed, "Another seed, other photons")->capture_default_str();
+}
+
+int RunOptions::thread_count() const {
+    if (threads < 0 || threads > 1024) throw common::InputError("--threads: from 0, which means all, to 1024");
+    return threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+}  // namespace bench

@@ -1,0 +1,20 @@
+// How much to trace, with how many threads and which random numbers.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+
+namespace bench {
+
+struct RunOptions {
+    int threads = 0;  ///< 0: as many as the machine has
+    std::uint64_t seed = 1;
+
+    void add_to(CLI::App& command);
+
+    /// Throws InputError for a number of threads that no machine has.
+    [[nodiscard]] int thread_count() const;
+};
+
+}  // namespace bench

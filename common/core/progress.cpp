@@ -1,0 +1,44 @@
+#include "common/core/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace common {
+
+Progress::Progress(std::string what, std::string unit, std::uint64_t total)
+    : what_(std::move(what)),
+      unit_(std::move(unit)),
+      total_(std::max<std::uint64_t>(total, 1)),
+      terminal_(isatty(STDERR_FILENO)),
+      start_(Clock::now()),
+      last_(start_) {}
+
+Progress::~Progress() {
+    if (drawn_ && terminal_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::show(std::uint64_t done) {
+    using Seconds = std::chrono::duration<double>;
+    const auto now = Clock::now();
+    if (Seconds(now - last_).count() < (terminal_ ? 0.1 : 10.0)) return;
+    last_ = now;
+    const double elapsed = Seconds(now - start_).count();
+    const double fraction = std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
+    const double left = fraction > 0 ? elapsed / fraction - elapsed : 0;
+    const std::string line = fmt::format("{} {:3.0f} %, {:.3g} {}, {:.3g} M/s, {:.0f} s left", what_, 100 * fraction,
+                                         static_cast<double>(done), unit_, static_cast<double>(done) / elapsed / 1e6, left);
+    if (terminal_) {
+        constexpr std::size_t width = 24;
+        const auto filled = static_cast<std::size_t>(fraction * width);
+        fmt::print(stderr, "\r\033[K[{}{}] {}", std::string(filled, '#'), std::string(width - filled, '.'), line);
+        std::fflush(stderr);
+    } else {
+        fmt::print(stderr, "{}\n", line);
+    }
+    drawn_ = true;
+}
+
+}  // namespace common

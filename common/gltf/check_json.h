@@ -1,0 +1,13 @@
+// Checks a glTF document's JSON before tinygltf sees it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace common::gltf {
+
+/// Throws InputError unless `document` is glTF 2.x, every property that the loader reads has the type that
+/// glTF gives it, every index points at something and every buffer view lies inside its buffer. Whether
+/// required properties are there is left to tinygltf, which reports that itself.
+void check_json(const nlohmann::json& document);
+
+}  // namespace common::gltf

@@ -1,0 +1,28 @@
+// The two forms in which a glTF file comes: JSON text, or a GLB container of JSON and binary data.
+// glTF 2.0, section 4 (GLB File Format Specification).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace common::gltf {
+
+/// The parts of a glTF file.
+struct Container {
+    std::string json;
+    std::vector<std::uint8_t> binary;  ///< the BIN chunk; empty for .gltf
+};
+
+/// Reads a .gltf or .glb file, told apart by the first bytes. Throws InputError where the file cannot be
+/// read, and for a GLB of another version or one whose chunks do not fit into the file.
+[[nodiscard]] Container read_container(const std::filesystem::path& file);
+
+/// GLB of a JSON chunk and, if `binary` is not empty, a BIN chunk. Throws InputError where that needs 4 GiB
+/// or more.
+[[nodiscard]] std::vector<std::uint8_t> make_glb(std::string_view json, std::span<const std::uint8_t> binary);
+
+}  // namespace common::gltf

@@ -1,0 +1,33 @@
+// What the loader says about a file: warnings gathered into a few lines, and texts cut down to one line.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace common::gltf {
+
+/// The first line of `text`, without control characters and cut where it grows too long to read. Names and
+/// messages that come from a file can be anything.
+[[nodiscard]] std::string one_line(std::string_view text);
+
+/// What was read but not honoured. The same complaint about many places becomes one line.
+class Warnings {
+  public:
+    /// `what` is the complaint, `where` the part of the file it is about.
+    void add(const std::string& what, const std::string& where);
+
+    /// "what: where", or "what: where and 3 more", in the order in which they came up.
+    [[nodiscard]] std::vector<std::string> lines() const;
+
+  private:
+    struct Entry {
+        std::string what;
+        std::string first_place;
+        std::size_t places;
+    };
+    std::vector<Entry> entries_;
+};
+
+}  // namespace common::gltf

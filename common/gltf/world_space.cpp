@@ -1,0 +1,83 @@
+#include "common/gltf/world_space.h"
+
+#include <algorithm>
+
+#include "common/core/input_error.h"
+
+namespace common::gltf {
+namespace {
+
+using Imath::V3d;
+
+/// Squared lengths of what lies within this many metres of the origin still are floats.
+constexpr float farthest = 1e18f;
+
+template <class Vector>
+bool repair(std::vector<Vector>& values) {
+    bool is_broken = false;
+    for (Vector& value : values) {
+        if (is_finite(value)) continue;
+        value = Vector(0);
+        is_broken = true;
+    }
+    return is_broken;
+}
+
+/// The linear part of a transform: what it makes of the axes.
+struct Linear {
+    V3d x, y, z;
+
+    explicit Linear(const Imath::M44d& matrix)
+        : x(matrix[0][0], matrix[0][1], matrix[0][2]),
+          y(matrix[1][0], matrix[1][1], matrix[1][2]),
+          z(matrix[2][0], matrix[2][1], matrix[2][2]) {}
+
+    [[nodiscard]] bool is_mirroring() const { return x.cross(y).dot(z) < 0; }
+    [[nodiscard]] V3d direction(const V3d& v) const { return x * v.x + y * v.y + z * v.z; }
+    /// By the cofactors, which are the inverse transpose times the determinant, but exist for flattening
+    /// transforms too.
+    [[nodiscard]] V3d normal(const V3d& n) const {
+        const V3d scaled = y.cross(z) * n.x + z.cross(x) * n.y + x.cross(y) * n.z;
+        return is_mirroring() ? -scaled : scaled;
+    }
+};
+
+Vec3 world_position(const Vec3& local, const Imath::M44d& to_world) {
+    const Vec3 world(V3d(local) * to_world);
+    const bool is_near =
+        std::abs(world.x) <= farthest && std::abs(world.y) <= farthest && std::abs(world.z) <= farthest;
+    if (!is_near) throw InputError("has a position that is not finite or absurdly far away");
+    return world;
+}
+
+}  // namespace
+
+void repair(Attributes& attributes, const std::string& name, Warnings& warnings) {
+    if (repair(attributes.normal))
+        warnings.add("normals that are not finite replaced by the triangle's own", name);
+    if (repair(attributes.tangent)) warnings.add("tangents that are not finite left out", name);
+    for (std::vector<Vec2>& texcoord : attributes.texcoord) {
+        if (repair(texcoord)) warnings.add("texture coordinates that are not finite replaced by zero", name);
+    }
+}
+
+void to_world_space(Attributes& attributes, std::span<TriangleVertices> triangles,
+                    const Imath::M44d& to_world) {
+    const Linear linear(to_world);
+    for (Vec3& position : attributes.position) position = world_position(position, to_world);
+    for (Vec3& normal : attributes.normal) normal = Vec3(linear.normal(V3d(normal)).normalized());
+    for (Vec3& tangent : attributes.tangent) tangent = Vec3(linear.direction(V3d(tangent)).normalized());
+    if (!linear.is_mirroring()) return;
+    // Mirrored, cross(normal, tangent) points the other way than the mirrored bitangent.
+    for (float& sign : attributes.tangent_sign) sign = -sign;
+    for (TriangleVertices& corners : triangles) std::swap(corners[1], corners[2]);
+}
+
+Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const V3d twice_area = (V3d(b) - V3d(a)).cross(V3d(c) - V3d(a));
+    // As triangle_area() has it: an area too small for a float is none.
+    if (static_cast<float>(0.5 * twice_area.length()) == 0.0f) return Vec3(0);
+    return Vec3(twice_area.normalized());
+}
+
+}  // namespace common::gltf

@@ -1,0 +1,91 @@
+#include "common/image/image.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+
+#include "common/core/input_error.h"
+
+namespace common {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Writes with OpenImageIO under a name beside `file`, then renames.
+void write_safely(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* values) {
+    const fs::path temporary =
+        file.parent_path() / fmt::format(".{}.{}{}", file.stem().string(), getpid(), file.extension().string());
+    const auto fail = [&](const std::string& why) {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+        throw InputError(fmt::format("{}: cannot be written: {}", file.string(), why));
+    };
+    const auto out = OIIO::ImageOutput::create(temporary.string());
+    if (!out) fail("no writer for this kind of file");
+    if (!out->open(temporary.string(), spec)) fail(out->geterror());
+    if (!out->write_image(type, values)) fail(out->geterror());
+    if (!out->close()) fail(out->geterror());
+    std::error_code error;
+    fs::rename(temporary, file, error);
+    if (error) fail(error.message());
+}
+
+/// sRGB transfer function (IEC 61966-2-1).
+float srgb_encoded(float linear) {
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+}
+
+/// Leaves dark values alone and takes 4 times white to white (Reinhard et al. 2002, eq. 4).
+float rolled_off(float value) {
+    constexpr float white = 4;
+    value = std::max(value, 0.0f);
+    return std::min(1.0f, value * (1 + value / (white * white)) / (1 + value));
+}
+
+}  // namespace
+
+void write_exr(const fs::path& file, const Image& image, const ImageNotes& notes) {
+    OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()), OIIO::TypeHalf);
+    spec.channelnames = image.channels;
+    spec.attribute("compression", "zip");
+    for (const auto& [name, text] : notes) spec.attribute(name, text);
+    write_safely(file, spec, OIIO::TypeFloat, image.values.data());
+}
+
+void write_png(const fs::path& file, const Image& image, float exposure) {
+    std::vector<float> encoded;
+    encoded.reserve(image.pixel_count() * 3);
+    for (std::size_t p = 0; p < image.pixel_count(); ++p)
+        for (std::size_t c = 0; c < 3; ++c) encoded.push_back(srgb_encoded(rolled_off(image.at(p, c) * exposure)));
+    OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeUInt8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    write_safely(file, spec, OIIO::TypeFloat, encoded.data());
+}
+
+Image read_image(const fs::path& file) {
+    const auto in = OIIO::ImageInput::open(file.string());
+    if (!in) throw InputError(fmt::format("{}: cannot be read: {}", file.string(), OIIO::geterror()));
+    const OIIO::ImageSpec& spec = in->spec();
+    Image image{spec.width, spec.height, spec.channelnames, {}};
+    image.values.resize(image.pixel_count() * image.channels.size());
+    if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, image.values.data()))
+        throw InputError(fmt::format("{}: cannot be read: {}", file.string(), in->geterror()));
+    return image;
+}
+
+float middle_grey_exposure(const Image& image) {
+    constexpr double middle_grey = 0.18;
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < image.pixel_count(); ++p) {
+        const double brightness = (image.at(p, 0) + image.at(p, 1) + image.at(p, 2)) / 3.0;
+        if (!(brightness > 0)) continue;
+        sum += std::log(brightness);
+        ++count;
+    }
+    return count == 0 ? 1.0f : static_cast<float>(middle_grey / std::exp(sum / static_cast<double>(count)));
+}
+
+}  // namespace common

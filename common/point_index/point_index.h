@@ -1,0 +1,41 @@
+// What an index over points must do, and the plainest one that does it.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+
+#include "common/core/vector.h"
+#include "common/point_index/nearest_set.h"
+
+namespace common {
+
+inline constexpr auto accept_all = [](std::uint32_t) { return true; };
+
+/// Offers to `nearest` all points that could belong to it and that `accept(index)` admits. Points that are not admitted
+/// take nobody's place: the k nearest are the k nearest admitted.
+template <class I>
+concept PointIndex = requires(const I& index, const Vec3& query, NearestSet& nearest) {
+    { index.search(query, nearest, accept_all) } -> std::same_as<void>;
+    { index.bytes() } -> std::same_as<std::size_t>;
+};
+
+/// Looks at every point. The oracle of the other indices' tests.
+class BruteForceIndex {
+  public:
+    explicit BruteForceIndex(std::span<const Vec3> points) : points_(points) {}
+
+    template <class Accept>
+    void search(const Vec3& query, NearestSet& nearest, Accept accept) const {
+        for (std::uint32_t i = 0; i < points_.size(); ++i)
+            if (accept(i)) nearest.offer(distance_sq(query, points_[i]), i);
+    }
+
+    [[nodiscard]] std::size_t bytes() const { return 0; }
+
+  private:
+    std::span<const Vec3> points_;
+};
+
+static_assert(PointIndex<BruteForceIndex>);
+
+}  // namespace common

@@ -1,0 +1,87 @@
+#include "common/scene/texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/core/input_error.h"
+
+namespace common {
+namespace {
+
+/// IEC 61966-2-1.
+float linear_of_srgb(float encoded) {
+    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+}
+
+/// The place in [0, 1] that `coordinate` stands for. Done before the multiplication by the size, so that
+/// texels can be counted in ints however large a coordinate is.
+float wrapped(float coordinate, Wrap wrap) {
+    if (!std::isfinite(coordinate)) return 0;
+    switch (wrap) {
+        case Wrap::repeat:
+            return coordinate - std::floor(coordinate);
+        case Wrap::mirrored_repeat: {
+            const float in_period = coordinate - 2 * std::floor(coordinate / 2);
+            return in_period <= 1 ? in_period : 2 - in_period;
+        }
+        case Wrap::clamp_to_edge:
+            break;
+    }
+    return std::clamp(coordinate, 0.0f, 1.0f);
+}
+
+/// Two neighbouring texels along one axis and the weight of the second.
+struct Texels {
+    int first, second;
+    float weight;
+};
+
+/// Texel centres are at half-integers, so a place at the edge lies between the last texel and what the
+/// wrapping puts beyond it: the other end for repeat, itself for the others.
+Texels texels_around(float coordinate, int size, Wrap wrap) {
+    const float place = wrapped(coordinate, wrap) * static_cast<float>(size) - 0.5f;
+    const float first = std::floor(place);
+    const auto index = static_cast<int>(first);
+    const auto inside = [&](int i) {
+        return wrap == Wrap::repeat ? (i + size) % size : std::clamp(i, 0, size - 1);
+    };
+    return {inside(index), inside(index + 1), place - first};
+}
+
+}  // namespace
+
+Texture::Texture(std::string name, int width, int height, std::vector<std::uint8_t> rgb,
+                 ColorSpace color_space, Wrap wrap_u, Wrap wrap_v)
+    : name_(std::move(name)),
+      width_(width),
+      height_(height),
+      rgb_(std::move(rgb)),
+      wrap_u_(wrap_u),
+      wrap_v_(wrap_v) {
+    if (width < 1 || height < 1 ||
+        rgb_.size() / 3 / static_cast<std::size_t>(width) != static_cast<std::size_t>(height) ||
+        rgb_.size() % (3 * static_cast<std::size_t>(width)) != 0)
+        throw InputError(fmt::format("image '{}' does not have {} x {} RGB pixels", name_, width, height));
+    for (std::size_t byte = 0; byte < linear_of_byte_.size(); ++byte) {
+        const float value = static_cast<float>(byte) / 255.0f;
+        linear_of_byte_[byte] = color_space == ColorSpace::srgb ? linear_of_srgb(value) : value;
+    }
+}
+
+Rgb Texture::sample(Vec2 texcoord) const {
+    const Texels u = texels_around(texcoord.x, width_, wrap_u_);
+    const Texels v = texels_around(texcoord.y, height_, wrap_v_);
+    const Rgb upper = texel(u.first, v.first) * (1 - u.weight) + texel(u.second, v.first) * u.weight;
+    const Rgb lower = texel(u.first, v.second) * (1 - u.weight) + texel(u.second, v.second) * u.weight;
+    return upper * (1 - v.weight) + lower * v.weight;
+}
+
+Rgb Texture::texel(int x, int y) const {
+    const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
+    const std::uint8_t* rgb = &rgb_[3 * (row + static_cast<std::size_t>(x))];
+    return {linear_of_byte_[rgb[0]], linear_of_byte_[rgb[1]], linear_of_byte_[rgb[2]]};
+}
+
+}  // namespace common

@@ -1,0 +1,45 @@
+// An image sampled at texture coordinates, as glTF defines its samplers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/core/vector.h"
+
+namespace common {
+
+enum class Wrap { repeat, clamp_to_edge, mirrored_repeat };
+
+enum class ColorSpace {
+    linear,  ///< data: normal maps
+    srgb     ///< colours: base colour and emission; decoded to linear when sampled
+};
+
+/// 8-bit RGB image. Row 0 is the top row, at v = 0 (glTF 2.0, section 3.8.1).
+class Texture {
+  public:
+    /// `rgb` holds 3 * width * height bytes, row by row. Throws InputError where that does not hold.
+    Texture(std::string name, int width, int height, std::vector<std::uint8_t> rgb, ColorSpace color_space,
+            Wrap wrap_u, Wrap wrap_v);
+
+    /// Bilinear sample at `texcoord`; linear values in [0, 1].
+    [[nodiscard]] Rgb sample(Vec2 texcoord) const;
+
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] std::size_t bytes() const { return rgb_.capacity(); }
+
+  private:
+    [[nodiscard]] Rgb texel(int x, int y) const;
+
+    std::string name_;
+    int width_, height_;
+    std::vector<std::uint8_t> rgb_;
+    std::array<float, 256> linear_of_byte_;
+    Wrap wrap_u_, wrap_v_;
+};
+
+}  // namespace common

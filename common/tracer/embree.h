@@ -1,0 +1,27 @@
+// Embree 3 (Debian 12) and Embree 4 (Debian 13) behind one call.
+#pragma once
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+namespace common {
+
+/// Nearest hit of one ray whose direction has nothing to do with the last one's.
+inline void intersect_incoherent(RTCScene scene, RTCRayHit& ray_hit) {
+#if RTC_VERSION_MAJOR >= 4
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
+    rtcIntersect1(scene, &ray_hit, &arguments);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    rtcIntersect1(scene, &context, &ray_hit);
+#endif
+}
+
+}  // namespace common

@@ -1,0 +1,72 @@
+// All light of a scene as one source of photons.
+#pragma once
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "common/scene/scene.h"
+
+namespace common {
+
+/// A photon as it leaves its light.
+struct EmittedPhoton {
+    Vec3 origin;
+    Vec3 direction;  ///< unit, the way it travels
+    Rgb flux;        ///< W times the number of photons emitted in the whole run
+};
+
+/// A triangle that emits with a cosine lobe, from its front or from both faces.
+struct AreaEmitter {
+    std::uint32_t triangle;
+    bool both_faces;
+    float area;
+    Rgb mean_radiance;  ///< over the triangle; chooses the emitter, not the photon's flux
+};
+
+struct PointEmitter {
+    PointLight light;
+};
+
+struct SpotEmitter {
+    SpotLight light;
+};
+
+/// Parallel light through the disc that the scene's bounding sphere shows it.
+struct DirectionalEmitter {
+    DirectionalLight light;
+    Vec3 center;
+    float radius;
+};
+
+/// Uniform light through the scene's bounding sphere.
+struct SkyEmitter {
+    Sky sky;
+    Vec3 center;
+    float radius;
+};
+
+using Emitter = std::variant<AreaEmitter, PointEmitter, SpotEmitter, DirectionalEmitter, SkyEmitter>;
+
+class PhotonSource {
+  public:
+    /// Throws InputError where the scene has no light. `scene` must outlive this object.
+    explicit PhotonSource(const Scene& scene);
+
+    /// Photon number `index` of the run with this seed. Lights are chosen in proportion to their power.
+    [[nodiscard]] EmittedPhoton emit(std::uint64_t seed, std::uint64_t index) const;
+
+    /// Sum over all lights, W.
+    [[nodiscard]] const Rgb& power() const { return power_; }
+
+  private:
+    void add(const Emitter& emitter);
+
+    const Scene* scene_;
+    std::vector<Emitter> emitters_;
+    std::vector<float> probability_;  ///< of choosing each emitter
+    std::vector<double> cumulative_;  ///< sum of powers up to and with each emitter, mean over the channels, W
+    Rgb power_{0, 0, 0};
+};
+
+}  // namespace common

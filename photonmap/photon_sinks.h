@@ -1,0 +1,62 @@
+// Sinks that fill a photon map, and the maps they become.
+#pragma once
+
+#include "common/point_index/flann_index.h"
+#include "photonmap/photon_map.h"
+
+namespace photonmap {
+
+/// Appends during tracing and builds the index once, over all photons, when finished: how photon maps are made today.
+template <common::PointIndex Index>
+class BulkPhotonSink {
+  public:
+    BulkPhotonSink(const common::Scene& scene, GatherSettings settings) : scene_(&scene), settings_(settings) {}
+
+    void consume(std::span<const common::HitBatch> wave) { photons_.append(wave); }
+
+    [[nodiscard]] PhotonMap<Index> finish(float watts_per_flux) && {
+        Index index(photons_.positions());
+        return {*scene_, std::move(photons_), std::move(index), watts_per_flux, settings_};
+    }
+
+    [[nodiscard]] const common::RejectedHits& rejected() const { return photons_.rejected(); }
+
+  private:
+    const common::Scene* scene_;
+    GatherSettings settings_;
+    PhotonStorage photons_;
+};
+
+/// Inserts every photon into the tree as it comes: what the paper measures itself against.
+template <class Index>
+class IncrementalPhotonSink {
+  public:
+    IncrementalPhotonSink(const common::Scene& scene, GatherSettings settings) : scene_(&scene), settings_(settings) {}
+
+    void consume(std::span<const common::HitBatch> wave) {
+        const std::size_t before = photons_.size();
+        photons_.append(wave);
+        index_.add(photons_.positions().subspan(before));
+    }
+
+    [[nodiscard]] PhotonMap<Index> finish(float watts_per_flux) && {
+        return {*scene_, std::move(photons_), std::move(index_), watts_per_flux, settings_};
+    }
+
+    [[nodiscard]] const common::RejectedHits& rejected() const { return photons_.rejected(); }
+
+  private:
+    const common::Scene* scene_;
+    GatherSettings settings_;
+    PhotonStorage photons_;
+    Index index_;
+};
+
+using FlannPhotonSink = BulkPhotonSink<common::FlannIndex>;
+using FlannIncrementalPhotonSink = IncrementalPhotonSink<common::FlannIncrementalIndex>;
+
+static_assert(common::MapSink<FlannPhotonSink>);
+static_assert(common::MapSink<FlannIncrementalPhotonSink>);
+static_assert(common::IrradianceEstimator<PhotonMap<common::FlannIndex>>);
+
+}  // namespace photonmap

@@ -1,0 +1,45 @@
+#include "photonmap/photon_storage.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace photonmap {
+namespace {
+
+bool is_finite_hit(const common::HitBatch& batch, std::size_t i) {
+    return common::is_finite(batch.position[i]) && common::is_finite(batch.direction[i]) &&
+           common::is_finite(batch.flux[i]);
+}
+
+std::size_t count_finite(const common::HitBatch& batch) {
+    std::size_t finite = 0;
+    for (std::size_t i = 0; i < batch.size(); ++i) finite += is_finite_hit(batch, i);
+    return finite;
+}
+
+}  // namespace
+
+void PhotonStorage::append(std::span<const common::HitBatch> wave) {
+    // Where each batch begins follows from the counts before it, so the order does not depend on the threads.
+    std::vector<std::size_t> begin(wave.size() + 1, 0);
+    tbb::parallel_for(std::size_t{0}, wave.size(), [&](std::size_t b) { begin[b + 1] = count_finite(wave[b]); });
+    for (std::size_t b = 0; b < wave.size(); ++b) begin[b + 1] += begin[b];
+
+    const std::span<common::Vec3> positions = positions_.grow(begin.back());
+    const std::span<Photon> photons = photons_.grow(begin.back());
+    tbb::parallel_for(std::size_t{0}, wave.size(), [&](std::size_t b) {
+        const common::HitBatch& batch = wave[b];
+        std::size_t out = begin[b];
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+            if (!is_finite_hit(batch, i)) continue;
+            positions[out] = batch.position[i];
+            photons[out] = {batch.direction[i], batch.flux[i], batch.surface[i].triangle};
+            ++out;
+        }
+    });
+    rejected_.not_finite += common::count_hits(wave) - begin.back();
+}
+
+}  // namespace photonmap

@@ -16,8 +16,8 @@
 namespace bench {
 
 /// Stable names, as they appear in every table.
-inline constexpr std::array<std::string_view, 3> method_names = {"photonmap/flann", "photonmap/flann-incremental",
-                                                                 "shlm"};
+inline constexpr std::array<std::string_view, 4> method_names = {"photonmap/flann", "photonmap/flann-incremental",
+                                                                 "shlm", "shlm/flux"};
 
 struct MethodSettings {
     photonmap::GatherSettings photonmap;  ///< max_radius 0: the default for the scene
@@ -58,7 +58,9 @@ auto with_sink(std::string_view method, PreparedMethods& prepared, Work work) {
     if (method == "photonmap/flann") return work(photonmap::FlannPhotonSink(scene, settings.photonmap));
     if (method == "photonmap/flann-incremental")
         return work(photonmap::FlannIncrementalPhotonSink(scene, settings.photonmap));
-    return work(shlm::Sink(prepared.texels(), settings.shlm));
+    shlm::Settings light_map = settings.shlm;
+    if (method == "shlm/flux") light_map.weight = shlm::ShWeight::flux;
+    return work(shlm::Sink(prepared.texels(), light_map));
 }
 
 }  // namespace bench

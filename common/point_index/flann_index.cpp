@@ -1,5 +1,7 @@
 #include "common/point_index/flann_index.h"
 
+#include <flann/algorithms/kdtree_index.h>
+#include <flann/algorithms/kdtree_single_index.h>
 #include <fmt/format.h>
 
 #include "common/core/input_error.h"

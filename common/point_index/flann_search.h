@@ -1,7 +1,9 @@
 // One search in a FLANN tree, with the candidates going straight to a NearestSet.
 #pragma once
 
-#include <flann/flann.hpp>
+#include <flann/algorithms/dist.h>
+#include <flann/algorithms/nn_index.h>
+#include <cmath>
 #include <limits>
 
 #include "common/core/vector.h"

@@ -14,11 +14,16 @@ constexpr float pi = std::numbers::pi_v<float>;
 
 using Uniforms = std::array<float, 4>;
 
-// --- power: total flux, W -----------------------------------------------------------------------------------------
+// --- power: total flux, W
+// -----------------------------------------------------------------------------------------
 
-Rgb power_of(const AreaEmitter& e) { return e.mean_radiance * (pi * e.area * (e.both_faces ? 2.0f : 1.0f)); }
+Rgb power_of(const AreaEmitter& e) {
+    return e.mean_radiance * (pi * e.area * (e.both_faces ? 2.0f : 1.0f));
+}
 
-Rgb power_of(const PointEmitter& e) { return e.light.intensity * (4 * pi); }
+Rgb power_of(const PointEmitter& e) {
+    return e.light.intensity * (4 * pi);
+}
 
 /// Integral of the glTF falloff, the square of a linear ramp in cos(theta), over the cone.
 Rgb power_of(const SpotEmitter& e) {
@@ -26,51 +31,62 @@ Rgb power_of(const SpotEmitter& e) {
     return e.light.intensity * (2 * pi * ((1 - inner) + (inner - outer) / 3));
 }
 
-Rgb power_of(const DirectionalEmitter& e) { return e.light.irradiance * (pi * e.radius * e.radius); }
+Rgb power_of(const DirectionalEmitter& e) {
+    return e.light.irradiance * (pi * e.radius * e.radius);
+}
 
 /// Each point of the sphere lets pi L through towards the inside.
-Rgb power_of(const SkyEmitter& e) { return e.sky.radiance * (pi * 4 * pi * e.radius * e.radius); }
+Rgb power_of(const SkyEmitter& e) {
+    return e.sky.radiance * (pi * 4 * pi * e.radius * e.radius);
+}
 
-// --- emission: a photon that carries the emitter's whole power ----------------------------------------------------
+// --- emission: a photon that carries the emitter's whole power
+// ----------------------------------------------------
 
-EmittedPhoton emit_from(const Scene& scene, const AreaEmitter& e, const Uniforms& at, const Uniforms& towards) {
+EmittedPhoton emit_from(const Scene& scene, const AreaEmitter& e, const Uniforms& at,
+                        const Uniforms& towards) {
     const Vec2 uv = sample_triangle(at[1], at[2]);
     const SurfaceId surface{e.triangle, uv.x, uv.y};
     const bool from_back = e.both_faces && towards[2] < 0.5f;
     const Vec3 normal = scene.geometric_normal[e.triangle] * (from_back ? -1.0f : 1.0f);
     const float emitting_area = e.area * (e.both_faces ? 2.0f : 1.0f);
-    return {position_at(scene, surface), Frame(normal).to_world(sample_cosine_hemisphere(towards[0], towards[1])),
+    return {position_at(scene, surface),
+            Frame(normal).to_world(sample_cosine_hemisphere(towards[0], towards[1])), normal,
             emitted_radiance_at(scene, surface) * (pi * emitting_area)};
 }
 
 EmittedPhoton emit_from(const Scene&, const PointEmitter& e, const Uniforms&, const Uniforms& towards) {
-    return {e.light.position, sample_sphere(towards[0], towards[1]), power_of(e)};
+    const Vec3 direction = sample_sphere(towards[0], towards[1]);
+    return {e.light.position, direction, direction, power_of(e)};
 }
 
 /// Uniform over the cone, weighted by the falloff at the sampled angle.
 EmittedPhoton emit_from(const Scene&, const SpotEmitter& e, const Uniforms&, const Uniforms& towards) {
     const float inner = e.light.cos_inner_angle, outer = e.light.cos_outer_angle;
     const Vec3 local = sample_cone(outer, towards[0], towards[1]);
-    const float ramp = local.z >= inner ? 1.0f : (local.z - outer) / (inner - outer);
-    return {e.light.position, Frame(e.light.axis).to_world(local),
-            e.light.intensity * (ramp * ramp * 2 * pi * (1 - outer))};
+    const float ramp = std::clamp((local.z - outer) / std::max(inner - outer, 1e-6f), 0.0f, 1.0f);
+    const Vec3 direction = Frame(e.light.axis).to_world(local);
+    return {e.light.position, direction, direction, e.light.intensity * (ramp * ramp * 2 * pi * (1 - outer))};
 }
 
 EmittedPhoton emit_from(const Scene&, const DirectionalEmitter& e, const Uniforms& at, const Uniforms&) {
     const Frame frame(e.light.direction);
     const Vec2 disc = sample_disc(at[1], at[2]) * e.radius;
-    return {e.center + frame.to_world({disc.x, disc.y, -e.radius}), e.light.direction, power_of(e)};
+    return {e.center + frame.to_world({disc.x, disc.y, -e.radius}), e.light.direction, e.light.direction,
+            power_of(e)};
 }
 
 EmittedPhoton emit_from(const Scene&, const SkyEmitter& e, const Uniforms& at, const Uniforms& towards) {
     const Vec3 outward = sample_sphere(at[1], at[2]);
-    return {e.center + outward * e.radius,
-            Frame(-outward).to_world(sample_cosine_hemisphere(towards[0], towards[1])), power_of(e)};
+    const Vec3 direction = Frame(-outward).to_world(sample_cosine_hemisphere(towards[0], towards[1]));
+    return {e.center + outward * e.radius, direction, direction, power_of(e)};
 }
 
-// --- area lights --------------------------------------------------------------------------------------------------
+// --- area lights
+// --------------------------------------------------------------------------------------------------
 
-/// Mean over a fixed grid of points. An emissive texture that is dark at all of them still gets a share of the photons.
+/// Mean over a fixed grid of points. An emissive texture that is dark at all of them still gets a share of
+/// the photons.
 Rgb mean_emitted_radiance(const Scene& scene, std::uint32_t triangle) {
     const Material& material = scene.material_of(triangle);
     if (material.emissive_texture.texture == no_texture) return material.emitted_radiance;
@@ -78,7 +94,8 @@ Rgb mean_emitted_radiance(const Scene& scene, std::uint32_t triangle) {
     Rgb sum(0, 0, 0);
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
-            const Vec2 uv = sample_triangle((static_cast<float>(i) + 0.5f) / steps, (static_cast<float>(j) + 0.5f) / steps);
+            const Vec2 uv = sample_triangle((static_cast<float>(i) + 0.5f) / steps,
+                                            (static_cast<float>(j) + 0.5f) / steps);
             sum += emitted_radiance_at(scene, {triangle, uv.x, uv.y});
         }
     constexpr float least_share = 0.01f;
@@ -90,12 +107,14 @@ Rgb mean_emitted_radiance(const Scene& scene, std::uint32_t triangle) {
 PhotonSource::PhotonSource(const Scene& scene) : scene_(&scene) {
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t)
         if (const Material& material = scene.material_of(t); material.emits())
-            add(AreaEmitter{t, material.double_sided, triangle_area(scene, t), mean_emitted_radiance(scene, t)});
+            add(AreaEmitter{t, material.double_sided, triangle_area(scene, t),
+                            mean_emitted_radiance(scene, t)});
     for (const PointLight& light : scene.point_light) add(PointEmitter{light});
     for (const SpotLight& light : scene.spot_light) add(SpotEmitter{light});
     const Vec3 center = scene.bounds.center();
     const float radius = 0.5f * scene.diagonal();
-    for (const DirectionalLight& light : scene.directional_light) add(DirectionalEmitter{light, center, radius});
+    for (const DirectionalLight& light : scene.directional_light)
+        add(DirectionalEmitter{light, center, radius});
     if (scene.sky) add(SkyEmitter{*scene.sky, center, radius});
 
     if (emitters_.empty())

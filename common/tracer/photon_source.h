@@ -13,6 +13,7 @@ namespace common {
 struct EmittedPhoton {
     Vec3 origin;
     Vec3 direction;  ///< unit, the way it travels
+    Vec3 normal;     ///< unit, of the emitting face; the direction itself for lights without a surface
     Rgb flux;        ///< W times the number of photons emitted in the whole run
 };
 

@@ -20,8 +20,7 @@ std::vector<Photon> emit_block(const PhotonSource& source, const RayScene& rays,
     for (std::uint64_t i = 0; i < photons_per_block; ++i) {
         const std::uint64_t index = block * photons_per_block + i;
         const EmittedPhoton emitted = source.emit(seed, index);
-        // Lights in the air do not need the step off their surface, and it does them no harm.
-        photons.push_back({index, rays.off_surface(emitted.origin, emitted.direction), emitted.direction, emitted.flux});
+        photons.push_back({index, rays.off_surface(emitted.origin, emitted.normal), emitted.direction, emitted.flux});
     }
     return photons;
 }

@@ -1,0 +1,91 @@
+#include "bench/compare/compare.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "bench/app/build_info.h"
+#include "bench/app/provenance.h"
+#include "bench/compare/compare_plan.h"
+#include "bench/compare/compare_size.h"
+#include "bench/compare/result_table.h"
+#include "common/core/input_error.h"
+#include "common/core/interrupt.h"
+#include "common/core/threads.h"
+
+namespace bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int image_width = 640, image_height = 360;
+
+/// Each method's picture at the most hits that it was run with, all with the same exposure.
+void draw_images(const ComparePlan& plan, const CompareScene& scene, const nlohmann::ordered_json& rows) {
+    const fs::path folder = plan.out / "images";
+    fs::create_directories(folder);
+    const auto pixels = common::visible_surfaces(scene.loaded.rays, scene.loaded.camera, image_width, image_height);
+    float exposure = 0;
+    for (const std::string& method : plan.methods) {
+        std::uint64_t hits = 0;
+        for (const auto& row : rows)
+            if (row["scene"] == scene.loaded.name && row["method"] == method && !row.contains("skipped"))
+                hits = std::max(hits, row["hits_asked"].get<std::uint64_t>());
+        if (hits == 0) continue;
+        const Workload workload{scene.loaded, scene.source, scene.queries, plan.seed, {.hits = hits}, {}};
+        const common::Image image = render_method(method, scene.prepared, workload, pixels, image_width, image_height);
+        if (exposure == 0) exposure = common::middle_grey_exposure(image);
+        std::string name = method;
+        std::replace(name.begin(), name.end(), '/', '-');
+        common::write_png(folder / fmt::format("{}-{}.png", scene.loaded.name, name), image, exposure);
+    }
+}
+
+/// False where the user ended it.
+bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable& table) {
+    const LoadedScene loaded(file, plan.scene);
+    const common::PhotonSource source(loaded.scene);
+    const QueryPoints queries = visible_query_points(loaded, plan.seed);
+    PreparedMethods prepared(loaded, plan.settings);
+    print_warnings(loaded, prepared, true);
+    const CompareScene scene{loaded, source, queries, prepared};
+    for (std::uint64_t hits : plan.hits) {
+        const SizeResult result = compare_size(plan, scene, hits);
+        table.add(result.rows);
+        if (result.interrupted) return false;
+    }
+    draw_images(plan, scene, table.rows());
+    return !common::interrupted();
+}
+
+/// Draws the charts with the project's Python script.
+void draw_charts(const ComparePlan& plan) {
+    const std::string command = fmt::format("/usr/bin/python3 '{}/bench/report/charts.py' '{}'", source_folder, plan.out.string());
+    if (std::system(command.c_str()) != 0) fmt::print(stderr, "compare: the charts could not be drawn; the table is complete\n");
+}
+
+void run(const CompareOptions& options) {
+    const ComparePlan plan = make_plan(options);
+    common::ThreadPool pool(plan.threads);
+    pool.run([&] {
+        ResultTable table(plan);
+        for (const std::string& file : plan.files)
+            if (!compare_scene(plan, file, table))
+                throw Interrupted(fmt::format("compare stopped: {} finished rows are in {}", table.rows().size(),
+                                              (plan.out / "compare.json").string()));
+        draw_charts(plan);
+        fmt::print("{}", rows_as_text(table.rows()));
+        fmt::print("\n{}\n", (plan.out / "compare.json").string());
+    });
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app) {
+    const auto options = std::make_shared<CompareOptions>();
+    CLI::App* command = app.add_subcommand("compare", "Measure the methods side by side as the number of hits grows");
+    options->add_to(*command);
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace bench

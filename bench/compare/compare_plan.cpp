@@ -1,0 +1,63 @@
+#include "bench/compare/compare_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "bench/compare/memory_need.h"
+#include "bench/compare/output_folder.h"
+#include "common/core/input_error.h"
+
+namespace bench {
+namespace {
+
+/// Rows, charts and images go by the scene's name.
+void check_names(const std::vector<std::string>& files) {
+    std::set<std::string> names;
+    for (const std::string& file : files)
+        if (const std::string name = std::filesystem::path(file).stem().string(); !names.insert(name).second)
+            throw common::InputError(fmt::format("two scenes have the name {}", name));
+}
+
+}  // namespace
+
+void CompareOptions::add_to(CLI::App& command) {
+    command.add_option("SCENE", files, "glTF 2.0 files, .gltf or .glb")->required();
+    command.add_option("--hits", hits, "Numbers of hits, separated by commas")->delimiter(',')->capture_default_str();
+    command.add_option("--methods", methods, "Methods, separated by commas")->delimiter(',')->capture_default_str();
+    command.add_option("--out", out, "Folder for compare.json, compare.csv, charts and images")->capture_default_str();
+    command.add_option("--max-memory", max_memory, "Methods that would need more are not started; default: 9/10 of what is free");
+    command.add_option("--repetitions", repetitions, "Runs of each method, interleaved; the table has medians")
+        ->capture_default_str();
+    command.add_option("--seconds-per-size", seconds_per_size,
+                       "Fewer repetitions where one scene and number of hits would take longer");
+    scene.add_to(command);
+    method_options.add_to(command);
+    run.add_to(command);
+}
+
+ComparePlan make_plan(const CompareOptions& options) {
+    check_names(options.files);
+    ComparePlan plan{.files = options.files,
+                     .hits = {},
+                     .methods = {},
+                     .out = options.out,
+                     .max_bytes = options.max_memory.empty() ? default_max_bytes()
+                                                             : parse_bytes("--max-memory", options.max_memory),
+                     .repetitions = options.repetitions,
+                     .seconds_per_size = options.seconds_per_size,
+                     .scene = options.scene,
+                     .settings = options.method_options.settings(),
+                     .threads = options.run.thread_count(),
+                     .seed = options.run.seed};
+    if (plan.repetitions < 1) throw common::InputError("--repetitions: at least 1");
+    for (const std::string& hits : options.hits) plan.hits.push_back(parse_count("--hits", hits));
+    std::sort(plan.hits.begin(), plan.hits.end());
+    for (const std::string& method : options.methods) plan.methods.push_back(full_method_name(method));
+    prepare_output_folder("--out", plan.out);
+    return plan;
+}
+
+}  // namespace bench

@@ -1,0 +1,28 @@
+// One scene at one number of hits: every method in turn, again and again.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "bench/compare/compare_plan.h"
+#include "bench/compare/row.h"
+
+namespace bench {
+
+/// A scene with all that a comparison needs of it.
+struct CompareScene {
+    const LoadedScene& loaded;
+    const common::PhotonSource& source;
+    const QueryPoints& queries;
+    PreparedMethods& prepared;
+};
+
+struct SizeResult {
+    std::vector<nlohmann::ordered_json> rows;  ///< one per method, run or skipped
+    bool interrupted = false;                  ///< the user ended it: rows have whole repetitions only, maybe none
+};
+
+/// Runs the plan's methods interleaved, each repetition beginning with another one, next to the null sink.
+[[nodiscard]] SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene, std::uint64_t hits);
+
+}  // namespace bench

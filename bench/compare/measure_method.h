@@ -1,0 +1,48 @@
+// One timed run of one method: trace, insert, build, gather.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "bench/app/methods.h"
+#include "bench/compare/query_points.h"
+#include "common/image/render.h"
+#include "common/tracer/trace_photons.h"
+
+namespace bench {
+
+/// What a run took and kept. Times are wall seconds.
+struct Measurement {
+    common::TraceReport trace;
+    double build_seconds = 0;
+    double gather_seconds = 0;           ///< all query points, image order, one thread
+    double gather_shuffled_seconds = 0;
+    std::size_t bytes = 0;               ///< finished map with its index
+    std::size_t insert_bytes = 0;        ///< the store while it takes hits; 0: the same as `bytes`
+    std::size_t peak_resident_bytes = 0;
+    common::RejectedHits rejected;
+    double mean_irradiance = 0;          ///< over the query points and channels, W/m^2: are the answers alike?
+};
+
+/// What a run works on.
+struct Workload {
+    const LoadedScene& scene;
+    const common::PhotonSource& source;
+    const QueryPoints& queries;
+    std::uint64_t seed;
+    common::TraceTarget target;
+    common::TraceProgress progress;
+};
+
+/// Uses the threads of the calling arena for all but the gathers. An interrupted run has trace.interrupted set and
+/// nothing after the trace.
+[[nodiscard]] Measurement measure_method(std::string_view method, PreparedMethods& prepared, const Workload& workload);
+
+/// The same trace without a store.
+[[nodiscard]] common::TraceReport measure_null_sink(const Workload& workload);
+
+/// An untimed run of the method, and its picture.
+[[nodiscard]] common::Image render_method(std::string_view method, PreparedMethods& prepared, const Workload& workload,
+                                          std::span<const common::VisibleSurface> pixels, int width, int height);
+
+}  // namespace bench

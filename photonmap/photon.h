@@ -11,13 +11,14 @@ namespace photonmap {
 
 /// Positions are kept apart, in an array that the index is built over.
 struct Photon {
-    common::Vec3 direction;   ///< unit, the way it travelled: towards the surface
-    common::Rgb flux;         ///< W times the number emitted; the map scales the sum
-    std::uint32_t triangle;   ///< the surface it is on
+    common::Vec3 direction;  ///< unit, the way it travelled: towards the surface
+    common::Rgb flux;        ///< W times the number emitted; the map scales the sum
+    std::uint32_t triangle;  ///< the surface it is on
 };
 
 /// Unit normal of the photon's surface on the side it arrived at.
-[[nodiscard]] inline common::Vec3 arrival_normal(const Photon& photon, std::span<const common::Vec3> triangle_normal) {
+[[nodiscard]] inline common::Vec3 arrival_normal(const Photon& photon,
+                                                 std::span<const common::Vec3> triangle_normal) {
     const common::Vec3& normal = triangle_normal[photon.triangle];
     return photon.direction.dot(normal) < 0 ? normal : -normal;
 }

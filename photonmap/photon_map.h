@@ -28,10 +28,10 @@ class PhotonMap {
 
     /// Irradiance for the shading normal, W/m^2.
     ///
-    /// The photons that count are those within max_radius whose surface faces as the point's does. With k of them or
-    /// more, the k-th nearest gives the radius and does not count itself, so that k - 1 are divided by the area: with k
-    /// in the numerator the estimate of uniform light would be k / (k - 1) of the truth. With fewer than k the radius is
-    /// max_radius and all of them count.
+    /// The photons that count are those within max_radius whose surface faces as the point's does. With k of
+    /// them or more, the k-th nearest gives the radius and does not count itself, so that k - 1 are divided
+    /// by the area: with k in the numerator the estimate of uniform light would be k / (k - 1) of the truth.
+    /// With fewer than k the radius is max_radius and all of them count.
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const {
         // Reused by each thread: a gather must not allocate.
         static thread_local std::vector<common::Neighbour> neighbours;
@@ -68,8 +68,8 @@ class PhotonMap {
         return sum * (watts_per_flux_ / (std::numbers::pi_v<float> * radius_sq));
     }
 
-    /// What a unit of irradiance on the photon's own surface becomes on a plane with the shading normal: the ratio of
-    /// the two cosines of incidence.
+    /// What a unit of irradiance on the photon's own surface becomes on a plane with the shading normal: the
+    /// ratio of the two cosines of incidence.
     [[nodiscard]] float tilt(const Photon& photon, const common::SurfacePoint& point) const {
         const float on_surface = std::abs(photon.direction.dot(scene_->geometric_normal[photon.triangle]));
         const float on_shading = std::max(0.0f, -photon.direction.dot(point.shading_normal));

@@ -6,11 +6,13 @@
 
 namespace photonmap {
 
-/// Appends during tracing and builds the index once, over all photons, when finished: how photon maps are made today.
+/// Appends during tracing and builds the index once, over all photons, when finished: how photon maps are
+/// made today.
 template <common::PointIndex Index>
 class BulkPhotonSink {
   public:
-    BulkPhotonSink(const common::Scene& scene, GatherSettings settings) : scene_(&scene), settings_(settings) {}
+    BulkPhotonSink(const common::Scene& scene, GatherSettings settings)
+        : scene_(&scene), settings_(settings) {}
 
     void consume(std::span<const common::HitBatch> wave) { photons_.append(wave); }
 
@@ -31,7 +33,8 @@ class BulkPhotonSink {
 template <class Index>
 class IncrementalPhotonSink {
   public:
-    IncrementalPhotonSink(const common::Scene& scene, GatherSettings settings) : scene_(&scene), settings_(settings) {}
+    IncrementalPhotonSink(const common::Scene& scene, GatherSettings settings)
+        : scene_(&scene), settings_(settings) {}
 
     void consume(std::span<const common::HitBatch> wave) {
         const std::size_t before = photons_.size();

@@ -24,7 +24,8 @@ std::size_t count_finite(const common::HitBatch& batch) {
 void PhotonStorage::append(std::span<const common::HitBatch> wave) {
     // Where each batch begins follows from the counts before it, so the order does not depend on the threads.
     std::vector<std::size_t> begin(wave.size() + 1, 0);
-    tbb::parallel_for(std::size_t{0}, wave.size(), [&](std::size_t b) { begin[b + 1] = count_finite(wave[b]); });
+    tbb::parallel_for(std::size_t{0}, wave.size(),
+                      [&](std::size_t b) { begin[b + 1] = count_finite(wave[b]); });
     for (std::size_t b = 0; b < wave.size(); ++b) begin[b + 1] += begin[b];
 
     const std::span<common::Vec3> positions = positions_.grow(begin.back());

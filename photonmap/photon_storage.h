@@ -15,8 +15,8 @@ class PhotonStorage {
     /// Room for what one index can count.
     static constexpr std::size_t max_photons = 0x7fffffff;
 
-    /// Appends the finite hits of a wave in order, with all threads of the calling arena. Throws std::bad_alloc past
-    /// max_photons.
+    /// Appends the finite hits of a wave in order, with all threads of the calling arena. Throws
+    /// std::bad_alloc past max_photons.
     void append(std::span<const common::HitBatch> wave);
 
     [[nodiscard]] const Photon& operator[](std::size_t i) const { return photons_[i]; }

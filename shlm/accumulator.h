@@ -25,16 +25,21 @@ class Accumulator {
   public:
     Accumulator(const TexelLayout& layout, ShWeight weight);
 
-    /// Adds a wave's hits. Each texel gets its hits in the order of their photons, whatever the number of threads.
+    /// Adds a wave's hits. Each texel gets its hits in the order of their photons, whatever the number of
+    /// threads.
     void consume(std::span<const common::HitBatch> wave);
 
     [[nodiscard]] std::span<const TexelSum> sums() const { return sums_; }
     [[nodiscard]] const common::RejectedHits& rejected() const { return rejected_; }
 
-    /// The sums and what is kept to sort a wave by texel.
+    /// The sums and what is kept to sort a wave by share.
     [[nodiscard]] std::size_t bytes() const;
 
   private:
+    /// Texels are dealt to threads in this many contiguous shares, at most. A share belongs to one thread at
+    /// a time, so sums need no atomics; there are more shares than threads so that unequal ones even out.
+    static constexpr std::size_t max_shares = 64;
+
     /// A hit on its way to its texel.
     struct Deposit {
         std::uint32_t texel;
@@ -42,24 +47,27 @@ class Accumulator {
         common::Rgb weight;          ///< what the harmonics are multiplied by
     };
 
-    /// Deposits of one batch, grouped by the share of the texels that they fall in; in the batch's order within a share.
-    struct SortedBatch {
-        std::vector<Deposit> deposits;   ///< in the batch's order, rejected hits left out
-        std::vector<Deposit> by_share;
-        std::vector<std::uint32_t> share_begin;
+    /// The deposits of one batch, in the batch's order; rejected hits left out.
+    struct BatchDeposits {
+        std::vector<Deposit> deposits;
+        std::array<std::uint32_t, max_shares> share_size;   ///< how many fall in each share of the texels
+        std::array<std::uint32_t, max_shares> share_begin;  ///< where they go in `by_share_`
         common::RejectedHits rejected;
     };
 
-    void sort_by_share(const common::HitBatch& batch, SortedBatch& sorted) const;
-    void add_share(std::size_t share, std::size_t batches);
+    void find_texels(const common::HitBatch& hits, BatchDeposits& batch) const;
+    void place_batches(std::size_t batch_count);
+    void scatter_to_shares(BatchDeposits& batch);
+    void add_share(std::size_t share);
     [[nodiscard]] std::size_t share_of(std::uint32_t texel) const { return texel >> share_shift_; }
 
     const TexelLayout* layout_;
     ShWeight weight_;
     unsigned share_shift_ = 0;
-    std::size_t share_count_ = 0;
     std::vector<TexelSum> sums_;
-    std::vector<SortedBatch> sorted_;
+    std::vector<BatchDeposits> batches_;
+    std::vector<Deposit> by_share_;  ///< the wave's, share after share, each in the photons' order
+    std::array<std::uint32_t, max_shares + 1> share_begin_;  ///< in `by_share_`
     common::RejectedHits rejected_;
 };
 

@@ -47,7 +47,8 @@ std::vector<Texel> finished_texels(std::span<const TexelSum> sums, std::span<con
 float gather_radius(std::span<const Texel> texels) {
     double area = 0;
     for (const Texel& texel : texels) area += texel.area;
-    return texels.empty() ? 0.0f : 4 * static_cast<float>(std::sqrt(area / static_cast<double>(texels.size())));
+    return texels.empty() ? 0.0f
+                          : 4 * static_cast<float>(std::sqrt(area / static_cast<double>(texels.size())));
 }
 
 }  // namespace
@@ -59,8 +60,8 @@ Rgb evaluate_irradiance(const Texel& texel, const Vec3& normal) {
     return sum;
 }
 
-LightMap::LightMap(std::span<const TexelSum> sums, std::span<const TexelGeometry> geometry, float watts_per_flux,
-                   std::size_t nearest)
+LightMap::LightMap(std::span<const TexelSum> sums, std::span<const TexelGeometry> geometry,
+                   float watts_per_flux, std::size_t nearest)
     : centers_(centers_of(geometry)),
       texels_(finished_texels(sums, geometry, watts_per_flux)),
       index_(centers_),

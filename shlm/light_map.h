@@ -22,17 +22,19 @@ struct Texel {
 /// Immutable. Holds the covered texels only; its size does not depend on how many hits they have taken.
 class LightMap {
   public:
-    /// `sums` and `geometry` have one entry per texel of the same layout; `watts_per_flux` as in common::MapSink.
+    /// `sums` and `geometry` have one entry per texel of the same layout; `watts_per_flux` as in
+    /// common::MapSink.
     LightMap(std::span<const TexelSum> sums, std::span<const TexelGeometry> geometry, float watts_per_flux,
              std::size_t nearest);
 
-    /// Irradiance for the shading normal, W/m^2: the mean over the nearest texels whose face looks the point's way,
-    /// weighted by their areas projected onto the point's surface. Never negative: what the truncated series takes below
-    /// zero is cut off. Zero where there is no texel within four texel widths.
+    /// Irradiance for the shading normal, W/m^2: the mean over the nearest texels whose face looks the
+    /// point's way, weighted by their areas projected onto the point's surface. Never negative: what the
+    /// truncated series takes below zero is cut off. Zero where there is no texel within four texel widths.
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const;
 
     [[nodiscard]] std::size_t bytes() const {
-        return centers_.capacity() * sizeof(common::Vec3) + texels_.capacity() * sizeof(Texel) + index_.bytes();
+        return centers_.capacity() * sizeof(common::Vec3) + texels_.capacity() * sizeof(Texel) +
+               index_.bytes();
     }
 
     [[nodiscard]] std::span<const Texel> texels() const { return texels_; }

@@ -32,22 +32,27 @@ double edge(const Vec2& a, const Vec2& b, double x, double y) {
     return (double{b.x} - a.x) * (y - a.y) - (double{b.y} - a.y) * (x - a.x);
 }
 
-/// Calls `visit(cell)` for every cell of the grid over `bounds` whose centre is strictly inside the triangle: centres on
-/// an edge that two triangles share belong to neither.
+/// Calls `visit(cell)` for every cell of the grid over `bounds` whose centre is strictly inside the triangle:
+/// centres on an edge that two triangles share belong to neither.
 template <class Visit>
 void for_each_covered_cell(const UvTriangle& t, const Imath::Box2f& bounds, Visit visit) {
     const Vec2 size = bounds.size();
     const auto first_cell = [&](float value, int axis) {
-        return std::clamp(static_cast<int>((value - bounds.min[axis]) / size[axis] * grid_size) - 1, 0, grid_size - 1);
+        return std::clamp(static_cast<int>((value - bounds.min[axis]) / size[axis] * grid_size) - 1, 0,
+                          grid_size - 1);
     };
-    const auto last_cell = [&](float value, int axis) { return std::min(first_cell(value, axis) + 2, grid_size - 1); };
+    const auto last_cell = [&](float value, int axis) {
+        return std::min(first_cell(value, axis) + 2, grid_size - 1);
+    };
     const double sign = edge(t.a, t.b, t.c.x, t.c.y) < 0 ? -1 : 1;
-    for (int j = first_cell(std::min({t.a.y, t.b.y, t.c.y}), 1); j <= last_cell(std::max({t.a.y, t.b.y, t.c.y}), 1); ++j)
-        for (int i = first_cell(std::min({t.a.x, t.b.x, t.c.x}), 0); i <= last_cell(std::max({t.a.x, t.b.x, t.c.x}), 0);
-             ++i) {
+    for (int j = first_cell(std::min({t.a.y, t.b.y, t.c.y}), 1);
+         j <= last_cell(std::max({t.a.y, t.b.y, t.c.y}), 1); ++j)
+        for (int i = first_cell(std::min({t.a.x, t.b.x, t.c.x}), 0);
+             i <= last_cell(std::max({t.a.x, t.b.x, t.c.x}), 0); ++i) {
             const double x = bounds.min.x + (i + 0.5) / grid_size * size.x;
             const double y = bounds.min.y + (j + 0.5) / grid_size * size.y;
-            if (sign * edge(t.a, t.b, x, y) > 0 && sign * edge(t.b, t.c, x, y) > 0 && sign * edge(t.c, t.a, x, y) > 0)
+            if (sign * edge(t.a, t.b, x, y) > 0 && sign * edge(t.b, t.c, x, y) > 0 &&
+                sign * edge(t.c, t.a, x, y) > 0)
                 visit(static_cast<std::size_t>(j) * grid_size + i);
         }
 }
@@ -81,7 +86,8 @@ LightmapUv examine(const Scene& scene, const MeshInstance& instance, int set) {
             shared += users[cell] > 1;
         });
         if (cells > 0)
-            result.overlapping_area += common::triangle_area(scene, t) * static_cast<double>(shared) / static_cast<double>(cells);
+            result.overlapping_area +=
+                common::triangle_area(scene, t) * static_cast<double>(shared) / static_cast<double>(cells);
     }
     const auto covered = std::count_if(users.begin(), users.end(), [](std::uint8_t n) { return n > 0; });
     result.covered_fraction = std::max(1.0, static_cast<double>(covered)) / static_cast<double>(users.size());
@@ -107,13 +113,15 @@ LightmapUv choose(const Scene& scene, const MeshInstance& instance) {
 
 std::vector<LightmapUv> find_lightmap_uv(const Scene& scene) {
     std::vector<LightmapUv> uv(scene.instance.size());
-    tbb::parallel_for(std::size_t{0}, uv.size(), [&](std::size_t i) { uv[i] = choose(scene, scene.instance[i]); });
+    tbb::parallel_for(std::size_t{0}, uv.size(),
+                      [&](std::size_t i) { uv[i] = choose(scene, scene.instance[i]); });
     return uv;
 }
 
 std::vector<std::string> describe_lightmap_trouble(const Scene& scene, const std::vector<LightmapUv>& uv) {
     constexpr const char* remedy =
-        "make lightmap coordinates with an unwrapping tool that writes TEXCOORD_1 (Blender: a second UV map, UV > "
+        "make lightmap coordinates with an unwrapping tool that writes TEXCOORD_1 (Blender: a second UV map, "
+        "UV > "
         "Lightmap Pack; xatlas)";
     double total = 0, missing = 0, overlapping = 0;
     std::size_t missing_count = 0, overlapping_count = 0;
@@ -130,13 +138,15 @@ std::vector<std::string> describe_lightmap_trouble(const Scene& scene, const std
     }
     std::vector<std::string> lines;
     if (missing_count > 0)
-        lines.push_back(fmt::format("{} of {} mesh instances have no usable lightmap coordinates: {:.4g} m^2, {:.1f} % of "
-                                    "the diffuse surface, get no texels; {}",
-                                    missing_count, uv.size(), missing, 100 * missing / total, remedy));
+        lines.push_back(fmt::format(
+            "{} of {} mesh instances have no usable lightmap coordinates: {:.4g} m^2, {:.1f} % of "
+            "the diffuse surface, get no texels; {}",
+            missing_count, uv.size(), missing, 100 * missing / total, remedy));
     if (overlapping_count > 0)
-        lines.push_back(fmt::format("lightmap coordinates overlap in {} of {} mesh instances: {:.4g} m^2, {:.1f} % of the "
-                                    "diffuse surface, share their texels with other surfaces; {}",
-                                    overlapping_count, uv.size(), overlapping, 100 * overlapping / total, remedy));
+        lines.push_back(fmt::format(
+            "lightmap coordinates overlap in {} of {} mesh instances: {:.4g} m^2, {:.1f} % of the "
+            "diffuse surface, share their texels with other surfaces; {}",
+            overlapping_count, uv.size(), overlapping, 100 * overlapping / total, remedy));
     return lines;
 }
 

@@ -13,8 +13,8 @@ inline constexpr std::size_t coefficient_count = 9;
 /// One value per harmonic, indexed by l (l + 1) + m.
 using ShValues = std::array<float, coefficient_count>;
 
-/// Orthonormal real harmonics at a unit direction: Y00, Y1-1, Y10, Y11, Y2-2, Y2-1, Y20, Y21, Y22, without the
-/// Condon-Shortley sign (Ramamoorthi and Hanrahan 2001, eq. 3).
+/// Orthonormal real harmonics at a unit direction: Y00, Y1-1, Y10, Y11, Y2-2, Y2-1, Y20, Y21, Y22, without
+/// the Condon-Shortley sign (Ramamoorthi and Hanrahan 2001, eq. 3).
 [[nodiscard]] inline ShValues evaluate_sh(const common::Vec3& d) {
     constexpr float c0 = 0.282094792f;   // 1 / 2 sqrt(1 / pi)
     constexpr float c1 = 0.488602512f;   // 1 / 2 sqrt(3 / pi)
@@ -32,8 +32,8 @@ using ShValues = std::array<float, coefficient_count>;
             c22 * (d.x * d.x - d.y * d.y)};
 }
 
-/// Band factors of the clamped cosine: irradiance coefficient = factor * radiance coefficient. Pi, 2 pi / 3, pi / 4 for
-/// l = 0, 1, 2 (Ramamoorthi and Hanrahan 2001, eq. 8 and 9).
+/// Band factors of the clamped cosine: irradiance coefficient = factor * radiance coefficient. Pi, 2 pi / 3,
+/// pi / 4 for l = 0, 1, 2 (Ramamoorthi and Hanrahan 2001, eq. 8 and 9).
 inline constexpr ShValues cosine_factors = [] {
     constexpr float a0 = std::numbers::pi_v<float>, a1 = a0 * 2 / 3, a2 = a0 / 4;
     return ShValues{a0, a1, a1, a1, a2, a2, a2, a2, a2};

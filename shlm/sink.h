@@ -7,7 +7,8 @@
 
 namespace shlm {
 
-/// Everything about a scene's light map that does not depend on its light: made once, used by any number of runs.
+/// Everything about a scene's light map that does not depend on its light: made once, used by any number of
+/// runs.
 struct PreparedTexels {
     TexelLayout layout;
     std::vector<TexelGeometry> geometry;

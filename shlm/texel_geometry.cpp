@@ -59,7 +59,8 @@ struct TexelSums {
 };
 
 /// Adds the parts of one triangle to the texels of its region's front.
-void add_triangle(const Scene& scene, std::uint32_t index, const TriangleTexels& placed, std::span<TexelSums> texels) {
+void add_triangle(const Scene& scene, std::uint32_t index, const TriangleTexels& placed,
+                  std::span<TexelSums> texels) {
     const Point corner(placed.corner), edge_u(placed.edge_u), edge_v(placed.edge_v);
     Polygon triangle;
     triangle.push(corner);
@@ -69,7 +70,8 @@ void add_triangle(const Scene& scene, std::uint32_t index, const TriangleTexels&
     const double world_area_per_map_area = common::triangle_area(scene, index) / (0.5 * determinant);
 
     const auto [ia, ib, ic] = scene.triangle[index];
-    const Imath::V3d a(scene.position[ia]), ab(Imath::V3d(scene.position[ib]) - a), ac(Imath::V3d(scene.position[ic]) - a);
+    const Imath::V3d a(scene.position[ia]), ab(Imath::V3d(scene.position[ib]) - a),
+        ac(Imath::V3d(scene.position[ic]) - a);
     const auto to_world = [&](const Point& p) {
         const Point d = p - corner;
         return a + ab * ((d.x * edge_v.y - d.y * edge_v.x) / determinant) +
@@ -83,10 +85,13 @@ void add_triangle(const Scene& scene, std::uint32_t index, const TriangleTexels&
             high = std::max(high, p.corner[i][axis]);
         }
         const int last = static_cast<int>(size) - 1;
-        return std::pair(std::clamp(static_cast<int>(low), 0, last), std::clamp(static_cast<int>(high), 0, last));
+        return std::pair(std::clamp(static_cast<int>(low), 0, last),
+                         std::clamp(static_cast<int>(high), 0, last));
     };
     // Positions on the region's far border belong to its last row or column, as in texel_at.
-    const auto upper = [](int i, std::uint32_t size) { return i + 1 == static_cast<int>(size) ? 1e30 : i + 1.0; };
+    const auto upper = [](int i, std::uint32_t size) {
+        return i + 1 == static_cast<int>(size) ? 1e30 : i + 1.0;
+    };
     const auto lower = [](int i) { return i == 0 ? -1e30 : i; };
 
     const auto [y0, y1] = range(triangle, 1, placed.height);
@@ -121,7 +126,8 @@ std::vector<TexelGeometry> texel_geometry(const Scene& scene, const TexelLayout&
         const TexelRegion& region = layout.regions()[i];
         std::vector<TexelSums> sums(region.texels_per_face());
         const common::MeshInstance& instance = scene.instance[i];
-        for (std::uint32_t t = instance.first_triangle; t < instance.first_triangle + instance.triangle_count; ++t)
+        for (std::uint32_t t = instance.first_triangle; t < instance.first_triangle + instance.triangle_count;
+             ++t)
             if (const TriangleTexels& placed = layout.triangle(t); placed.width > 0)
                 add_triangle(scene, t, placed, sums);
         for (std::size_t k = 0; k < sums.size(); ++k) {

@@ -9,13 +9,14 @@ namespace shlm {
 
 /// The part of the surface that lies in one texel, summed over all triangles that reach into it.
 struct TexelGeometry {
-    float area = 0;          ///< world units squared; 0: no triangle covers the texel
-    common::Vec3 center;     ///< centroid of the covered part
-    common::Vec3 normal;     ///< unit, mean over the covered part, out of the texel's face
+    float area = 0;       ///< world units squared; 0: no triangle covers the texel
+    common::Vec3 center;  ///< centroid of the covered part
+    common::Vec3 normal;  ///< unit, mean over the covered part, out of the texel's face
 };
 
-/// One entry per texel of the layout. Every triangle is clipped against every texel it touches, so that the areas of an
-/// instance's texels add up to its surface.
-[[nodiscard]] std::vector<TexelGeometry> texel_geometry(const common::Scene& scene, const TexelLayout& layout);
+/// One entry per texel of the layout. Every triangle is clipped against every texel it touches, so that the
+/// areas of an instance's texels add up to its surface.
+[[nodiscard]] std::vector<TexelGeometry> texel_geometry(const common::Scene& scene,
+                                                        const TexelLayout& layout);
 
 }  // namespace shlm

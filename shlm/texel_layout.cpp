@@ -12,7 +12,8 @@ using common::Scene;
 using common::Vec2;
 using common::Vec3;
 
-/// Size in the world of the rectangle that an instance's lightmap coordinates span, as if it were covered all over.
+/// Size in the world of the rectangle that an instance's lightmap coordinates span, as if it were covered all
+/// over.
 struct WorldRectangle {
     double width = 0, height = 0;
     int faces = 1;
@@ -21,11 +22,13 @@ struct WorldRectangle {
 /// Mean length in the world of a unit step along u and along v, weighted by area.
 Vec2 mean_stretch(const Scene& scene, const MeshInstance& instance, int set) {
     double sum_u = 0, sum_v = 0, area = 0;
-    for (std::uint32_t t = instance.first_triangle; t < instance.first_triangle + instance.triangle_count; ++t) {
+    for (std::uint32_t t = instance.first_triangle; t < instance.first_triangle + instance.triangle_count;
+         ++t) {
         const auto [a, b, c] = scene.triangle[t];
         const auto& uv = scene.texcoord[set];
         const Vec2 duv1 = uv[b] - uv[a], duv2 = uv[c] - uv[a];
-        const Vec3 edge1 = scene.position[b] - scene.position[a], edge2 = scene.position[c] - scene.position[a];
+        const Vec3 edge1 = scene.position[b] - scene.position[a],
+                   edge2 = scene.position[c] - scene.position[a];
         const float determinant = duv1.x * duv2.y - duv1.y * duv2.x;
         if (determinant == 0) continue;
         const double weight = common::triangle_area(scene, t);
@@ -54,7 +57,8 @@ double texels_at_size(std::span<const WorldRectangle> rectangles, double texel_s
     double count = 0;
     for (const WorldRectangle& r : rectangles)
         if (r.width > 0)
-            count += static_cast<double>(r.faces) * texels_along(r.width, texel_size) * texels_along(r.height, texel_size);
+            count += static_cast<double>(r.faces) * texels_along(r.width, texel_size) *
+                     texels_along(r.height, texel_size);
     return count;
 }
 
@@ -84,7 +88,8 @@ TriangleTexels place_triangle(const Scene& scene, std::uint32_t triangle, const 
     placed.corner = in_texels(texcoord[a]);
     placed.edge_u = in_texels(texcoord[b]) - placed.corner;
     placed.edge_v = in_texels(texcoord[c]) - placed.corner;
-    // A triangle whose coordinates span no area has no place in the map: its flux would be divided by nothing.
+    // A triangle whose coordinates span no area has no place in the map: its flux would be divided by
+    // nothing.
     if (placed.edge_u.x * placed.edge_v.y == placed.edge_u.y * placed.edge_v.x) return placed;
     placed.first_texel = region.first_texel;
     placed.width = region.width;
@@ -102,8 +107,8 @@ TexelLayout::TexelLayout(const Scene& scene, std::span<const LightmapUv> uv, std
         if (uv[i].texcoord_set >= 0) rectangles[i] = world_rectangle(scene, scene.instance[i], uv[i]);
     const double texel_size = texel_size_for(rectangles, wanted_texels);
     if (texels_at_size(rectangles, texel_size) >= no_texel)
-        throw common::InputError(fmt::format("a light map holds fewer than {} texels; {} were asked for", no_texel,
-                                             wanted_texels));
+        throw common::InputError(fmt::format("a light map holds fewer than {} texels; {} were asked for",
+                                             no_texel, wanted_texels));
 
     for (std::size_t i = 0; i < regions_.size(); ++i) {
         if (uv[i].texcoord_set < 0) continue;
@@ -115,7 +120,8 @@ TexelLayout::TexelLayout(const Scene& scene, std::span<const LightmapUv> uv, std
         texel_count_ += std::size_t{region.texels_per_face()} * rectangles[i].faces;
 
         const MeshInstance& instance = scene.instance[i];
-        for (std::uint32_t t = instance.first_triangle; t < instance.first_triangle + instance.triangle_count; ++t)
+        for (std::uint32_t t = instance.first_triangle; t < instance.first_triangle + instance.triangle_count;
+             ++t)
             triangles_[t] = place_triangle(scene, t, uv[i], region);
     }
 }

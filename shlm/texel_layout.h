@@ -11,8 +11,9 @@ namespace shlm {
 
 inline constexpr std::uint32_t no_texel = 0xffffffff;
 
-/// One mesh instance's rectangle of texels, over the bounds of its lightmap coordinates; row by row from `first_texel`.
-/// Surfaces whose material shows both faces have a second rectangle right behind the first for their backs.
+/// One mesh instance's rectangle of texels, over the bounds of its lightmap coordinates; row by row from
+/// `first_texel`. Surfaces whose material shows both faces have a second rectangle right behind the first for
+/// their backs.
 struct TexelRegion {
     std::uint32_t first_texel = 0;
     std::uint32_t width = 0, height = 0;  ///< 0: the instance has no texels
@@ -23,8 +24,9 @@ struct TexelRegion {
 
 /// Everything that finding a hit's texel needs to know of its triangle, on one cache line.
 struct alignas(64) TriangleTexels {
-    common::Vec2 corner, edge_u, edge_v;  ///< lightmap position = corner + u edge_u + v edge_v, in texels of the region
-    common::Vec3 normal;                  ///< unit, front
+    common::Vec2 corner, edge_u,
+        edge_v;           ///< lightmap position = corner + u edge_u + v edge_v, in texels of the region
+    common::Vec3 normal;  ///< unit, front
     std::uint32_t first_texel = 0;
     std::uint32_t width = 0, height = 0;  ///< 0: hits on this triangle have no texel
     bool both_faces = false;
@@ -32,8 +34,9 @@ struct alignas(64) TriangleTexels {
 
 class TexelLayout {
   public:
-    /// Gives each instance texels in proportion to its area in the world, `wanted_texels` in all as nearly as whole
-    /// rectangles allow, never fewer than one each. Texels are as square in the world as the coordinates allow.
+    /// Gives each instance texels in proportion to its area in the world, `wanted_texels` in all as nearly as
+    /// whole rectangles allow, never fewer than one each. Texels are as square in the world as the
+    /// coordinates allow.
     TexelLayout(const common::Scene& scene, std::span<const LightmapUv> uv, std::size_t wanted_texels);
 
     [[nodiscard]] std::span<const TexelRegion> regions() const { return regions_; }
@@ -57,10 +60,12 @@ class TexelLayout {
 [[nodiscard]] inline std::uint32_t texel_at(const TriangleTexels& triangle, float u, float v, bool front) {
     const common::Vec2 at = triangle.corner + triangle.edge_u * u + triangle.edge_v * v;
     const auto clamp_to = [](float value, std::uint32_t count) {
-        return static_cast<std::uint32_t>(std::clamp(static_cast<int>(value), 0, static_cast<int>(count) - 1));
+        return static_cast<std::uint32_t>(
+            std::clamp(static_cast<int>(value), 0, static_cast<int>(count) - 1));
     };
     const std::uint32_t back = front ? 0 : triangle.width * triangle.height;
-    return triangle.first_texel + back + clamp_to(at.y, triangle.height) * triangle.width + clamp_to(at.x, triangle.width);
+    return triangle.first_texel + back + clamp_to(at.y, triangle.height) * triangle.width +
+           clamp_to(at.x, triangle.width);
 }
 
 }  // namespace shlm

@@ -18,12 +18,12 @@ common::TraceReport trace(const Scene& scene, std::uint64_t seed, common::TraceT
     return common::trace_photons(rays, source, seed, target, sink, progress);
 }
 
-struct Run {
+struct TracedRun {
     common::HitBatch hits;
     common::TraceReport report;
 };
 
-inline Run record(const Scene& scene, std::uint64_t seed, common::TraceTarget target) {
+inline TracedRun record(const Scene& scene, std::uint64_t seed, common::TraceTarget target) {
     common::RecordingSink sink;
     const common::TraceReport report = trace(scene, seed, target, sink);
     return {sink.hits(), report};

@@ -67,19 +67,22 @@ Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
             {"triangles", scene.triangle.size()},
             {"instances", scene.instance.size()},
             {"area", area},
-            {"bounds", {{scene.bounds.min.x, scene.bounds.min.y, scene.bounds.min.z},
-                        {scene.bounds.max.x, scene.bounds.max.y, scene.bounds.max.z}}},
+            {"bounds",
+             {{scene.bounds.min.x, scene.bounds.min.y, scene.bounds.min.z},
+              {scene.bounds.max.x, scene.bounds.max.y, scene.bounds.max.z}}},
             {"materials", {{"diffuse", kinds[0]}, {"mirror", kinds[1]}, {"dielectric", kinds[2]}}},
             {"textures", scene.texture.size()},
-            {"lights", {{"emitting_triangles", emitting},
-                        {"point", scene.point_light.size()},
-                        {"spot", scene.spot_light.size()},
-                        {"directional", scene.directional_light.size()},
-                        {"sky", scene.sky.has_value()}}},
+            {"lights",
+             {{"emitting_triangles", emitting},
+              {"point", scene.point_light.size()},
+              {"spot", scene.spot_light.size()},
+              {"directional", scene.directional_light.size()},
+              {"sky", scene.sky.has_value()}}},
             {"cameras", scene.camera.size()},
-            {"camera", {{"name", loaded.camera.name},
-                        {"eye", {loaded.camera.eye.x, loaded.camera.eye.y, loaded.camera.eye.z}},
-                        {"forward", {loaded.camera.forward.x, loaded.camera.forward.y, loaded.camera.forward.z}}}},
+            {"camera",
+             {{"name", loaded.camera.name},
+              {"eye", {loaded.camera.eye.x, loaded.camera.eye.y, loaded.camera.eye.z}},
+              {"forward", {loaded.camera.forward.x, loaded.camera.forward.y, loaded.camera.forward.z}}}},
             {"lightmap_uv", lightmap},
             {"texels", lightmap["usable"] ? texel_facts(prepared) : Json(nullptr)},
             {"warnings", warnings}};
@@ -96,15 +99,18 @@ void run(const InfoOptions& options) {
         return;
     }
     for (const auto& [key, value] : all.items())
-        if (key != "warnings") fmt::print("{:<12} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
-    for (const auto& warning : all["warnings"]) fmt::print("{:<12} {}\n", "warning", warning.get<std::string>());
+        if (key != "warnings")
+            fmt::print("{:<12} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+    for (const auto& warning : all["warnings"])
+        fmt::print("{:<12} {}\n", "warning", warning.get<std::string>());
 }
 
 }  // namespace
 
 void add_info_command(CLI::App& app) {
     const auto options = std::make_shared<InfoOptions>();
-    CLI::App* command = app.add_subcommand("info", "Say what is in a scene and whether a light map fits on it");
+    CLI::App* command =
+        app.add_subcommand("info", "Say what is in a scene and whether a light map fits on it");
     command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
     options->scene.add_to(*command);
     command->add_option("--texels", options->texels, "Texels of the light map in all")->capture_default_str();

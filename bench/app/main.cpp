@@ -14,7 +14,8 @@ constexpr int bad_input = 2;
 constexpr int stopped_by_user = 130;  // as shells have it for SIGINT
 
 int run(int argc, char** argv) {
-    CLI::App app("Photon maps against spherical harmonic light maps: memory, speed and error, measured side by side");
+    CLI::App app(
+        "Photon maps against spherical harmonic light maps: memory, speed and error, measured side by side");
     app.require_subcommand(1);
     bench::add_info_command(app);
     bench::add_render_command(app);

@@ -15,8 +15,8 @@ PreparedMethods::PreparedMethods(const LoadedScene& scene, const MethodSettings&
 
 const shlm::PreparedTexels& PreparedMethods::texels() {
     if (!texels_) {
-        const bool usable =
-            std::any_of(uv_.begin(), uv_.end(), [](const shlm::LightmapUv& uv) { return uv.texcoord_set >= 0; });
+        const bool usable = std::any_of(uv_.begin(), uv_.end(),
+                                        [](const shlm::LightmapUv& uv) { return uv.texcoord_set >= 0; });
         if (!usable)
             throw common::InputError(
                 fmt::format("{}: {}", scene_->source,

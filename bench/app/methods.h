@@ -16,15 +16,16 @@
 namespace bench {
 
 /// Stable names, as they appear in every table.
-inline constexpr std::array<std::string_view, 4> method_names = {"photonmap/flann", "photonmap/flann-incremental",
-                                                                 "shlm", "shlm/flux"};
+inline constexpr std::array<std::string_view, 4> method_names = {
+    "photonmap/flann", "photonmap/flann-incremental", "shlm", "shlm/flux"};
 
 struct MethodSettings {
     photonmap::GatherSettings photonmap;  ///< max_radius 0: the default for the scene
     shlm::Settings shlm;
 };
 
-/// What the methods prepare once for a scene, whatever its light: the photon map nothing, the light map its texels.
+/// What the methods prepare once for a scene, whatever its light: the photon map nothing, the light map its
+/// texels.
 class PreparedMethods {
   public:
     PreparedMethods(const LoadedScene& scene, const MethodSettings& settings);

@@ -3,9 +3,9 @@
 #include <Imath/ImathConfig.h>
 #include <OpenEXR/OpenEXRConfig.h>
 #include <OpenImageIO/oiioversion.h>
+#include <flann/config.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <flann/config.h>
 #include <oneapi/tbb/version.h>
 #include <unistd.h>
 
@@ -43,7 +43,8 @@ std::string first_line_of(const std::string& command) {
 }
 
 std::string commit() {
-    return first_line_of(fmt::format("git -C '{}' describe --always --dirty --abbrev=12 2>/dev/null", source_folder));
+    return first_line_of(
+        fmt::format("git -C '{}' describe --always --dirty --abbrev=12 2>/dev/null", source_folder));
 }
 
 Json libraries() {
@@ -61,7 +62,8 @@ Json libraries() {
 Json provenance() {
     return {{"machine", cpu_name()},
             {"cores", std::thread::hardware_concurrency()},
-            {"memory_bytes", static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE))},
+            {"memory_bytes", static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
+                                 static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE))},
             {"compiler", build_compiler},
             {"flags", build_flags},
             {"libraries", libraries()},
@@ -78,15 +80,18 @@ std::map<std::string, std::string> provenance_notes() {
 }
 
 std::string describe(const MethodSettings& settings) {
-    return fmt::format("k={} max-radius={:g} cone={:g} texels={} sh-weight={} gather-texels={}", settings.photonmap.nearest,
-                       settings.photonmap.max_radius, settings.photonmap.cone_slope, settings.shlm.texels,
-                       settings.shlm.weight == shlm::ShWeight::flux ? "flux" : "radiance", settings.shlm.nearest);
+    return fmt::format(
+        "k={} max-radius={:g} cone={:g} texels={} sh-weight={} gather-texels={}", settings.photonmap.nearest,
+        settings.photonmap.max_radius, settings.photonmap.cone_slope, settings.shlm.texels,
+        settings.shlm.weight == shlm::ShWeight::flux ? "flux" : "radiance", settings.shlm.nearest);
 }
 
 void print_warnings(const LoadedScene& scene, const PreparedMethods& prepared, bool about_lightmap) {
-    for (const std::string& line : scene.scene.warnings) fmt::print(stderr, "{}: warning: {}\n", scene.name, line);
+    for (const std::string& line : scene.scene.warnings)
+        fmt::print(stderr, "{}: warning: {}\n", scene.name, line);
     if (!about_lightmap) return;
-    for (const std::string& line : prepared.lightmap_trouble()) fmt::print(stderr, "{}: warning: {}\n", scene.name, line);
+    for (const std::string& line : prepared.lightmap_trouble())
+        fmt::print(stderr, "{}: warning: {}\n", scene.name, line);
 }
 
 }  // namespace bench

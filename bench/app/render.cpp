@@ -53,7 +53,8 @@ Rendering trace_and_gather(const RenderOptions& options, const LoadedScene& load
     const common::PhotonSource source(loaded.scene);
     const auto pixels = common::visible_surfaces(loaded.rays, loaded.camera, options.width, options.height);
     return with_sink(options.method, prepared, [&](auto sink) {
-        common::Progress progress("tracing", target.hits ? "hits" : "photons", target.hits ? target.hits : target.photons);
+        common::Progress progress("tracing", target.hits ? "hits" : "photons",
+                                  target.hits ? target.hits : target.photons);
         const auto trace = common::trace_photons(
             loaded.rays, source, options.run.seed, target, sink, [&](const common::TraceReport& so_far) {
                 progress.show(target.hits ? so_far.hits : so_far.fates.emitted);
@@ -89,8 +90,8 @@ void run(RenderOptions options) {
         common::write_exr(options.out, made.image, notes);
         common::write_png(std::filesystem::path(options.out).replace_extension(".png"), made.image,
                           common::middle_grey_exposure(made.image));
-        fmt::print("{}: {} hits of {} photons, {} rejected\n", options.out, made.trace.hits, made.trace.fates.emitted,
-                   made.rejected.total());
+        fmt::print("{}: {} hits of {} photons, {} rejected\n", options.out, made.trace.hits,
+                   made.trace.fates.emitted, made.rejected.total());
     });
 }
 
@@ -98,9 +99,11 @@ void run(RenderOptions options) {
 
 void add_render_command(CLI::App& app) {
     const auto options = std::make_shared<RenderOptions>();
-    CLI::App* command = app.add_subcommand("render", "Draw a scene with one method: half-float EXR and tone-mapped PNG");
+    CLI::App* command =
+        app.add_subcommand("render", "Draw a scene with one method: half-float EXR and tone-mapped PNG");
     command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
-    command->add_option("--method", options->method, "photonmap/flann, photonmap/flann-incremental or shlm")->required();
+    command->add_option("--method", options->method, "photonmap/flann, photonmap/flann-incremental or shlm")
+        ->required();
     command->add_option("--hits", options->hits, "Trace until at least this many hits are stored, e.g. 1e6");
     command->add_option("--photons", options->photons, "Trace this many photons, rounded up to whole blocks");
     command->add_option("--out", options->out, "Image to write, .exr; the PNG goes beside it")->required();

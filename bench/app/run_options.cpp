@@ -12,7 +12,8 @@ void RunOptions::add_to(CLI::App& command) {
 }
 
 int RunOptions::thread_count() const {
-    if (threads < 0 || threads > 1024) throw common::InputError("--threads: from 0, which means all, to 1024");
+    if (threads < 0 || threads > 1024)
+        throw common::InputError("--threads: from 0, which means all, to 1024");
     return threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 

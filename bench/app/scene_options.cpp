@@ -37,7 +37,8 @@ Scene load_with_lights(const std::string& file, const SceneOptions& options) {
     if (!options.sun.empty()) {
         const auto n = parse_numbers("--sun", options.sun, 6);
         const Vec3 towards(n[0], n[1], n[2]);
-        if (towards.length() == 0) throw InputError("--sun: X,Y,Z is the direction to the sun and cannot be 0,0,0");
+        if (towards.length() == 0)
+            throw InputError("--sun: X,Y,Z is the direction to the sun and cannot be 0,0,0");
         if (std::min({n[3], n[4], n[5]}) < 0) throw InputError("--sun: irradiance cannot be negative");
         scene.directional_light.push_back({-towards.normalized(), {n[3], n[4], n[5]}});
     }
@@ -48,7 +49,8 @@ common::Camera choose_camera(const common::RayScene& rays, const SceneOptions& o
     if (!options.camera.empty()) {
         const auto n = parse_numbers("--camera", options.camera, 7);
         if (!(n[6] > 0 && n[6] < 180)) throw InputError("--camera: FOV must be between 0 and 180 degrees");
-        return common::look_at({n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n[6] * std::numbers::pi_v<float> / 180);
+        return common::look_at({n[0], n[1], n[2]}, {n[3], n[4], n[5]},
+                               n[6] * std::numbers::pi_v<float> / 180);
     }
     const auto& cameras = rays.scene().camera;
     return cameras.empty() ? common::place_camera(rays) : cameras.front();
@@ -59,7 +61,8 @@ common::Camera choose_camera(const common::RayScene& rays, const SceneOptions& o
 void SceneOptions::add_to(CLI::App& command) {
     command.add_option("--sky", sky, "Uniform environment: radiance R,G,B in W/(m^2 sr)");
     command.add_option("--sun", sun, "Parallel light: direction to it X,Y,Z and irradiance R,G,B in W/m^2");
-    command.add_option("--camera", camera, "EYE,TARGET,FOV as X,Y,Z,X,Y,Z,DEGREES in place of the scene's own camera");
+    command.add_option("--camera", camera,
+                       "EYE,TARGET,FOV as X,Y,Z,X,Y,Z,DEGREES in place of the scene's own camera");
 }
 
 LoadedScene::LoadedScene(const std::string& file, const SceneOptions& options)
@@ -74,11 +77,13 @@ std::vector<float> parse_numbers(const std::string& option, const std::string& t
     while (true) {
         numbers.push_back(static_cast<float>(take_number(option, rest)));
         if (rest.empty()) break;
-        if (rest.front() != ',') throw InputError(fmt::format("{}: numbers are separated by commas in '{}'", option, text));
+        if (rest.front() != ',')
+            throw InputError(fmt::format("{}: numbers are separated by commas in '{}'", option, text));
         rest.remove_prefix(1);
     }
     if (numbers.size() != count)
-        throw InputError(fmt::format("{}: {} numbers are needed, '{}' has {}", option, count, text, numbers.size()));
+        throw InputError(
+            fmt::format("{}: {} numbers are needed, '{}' has {}", option, count, text, numbers.size()));
     return numbers;
 }
 

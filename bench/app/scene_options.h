@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-
 #include <memory>
 #include <string>
 
@@ -31,8 +30,10 @@ struct LoadedScene {
     LoadedScene& operator=(const LoadedScene&) = delete;
 };
 
-/// Numbers separated by commas. Throws InputError, naming the option, unless there are `count` of them, all finite.
-[[nodiscard]] std::vector<float> parse_numbers(const std::string& option, const std::string& text, std::size_t count);
+/// Numbers separated by commas. Throws InputError, naming the option, unless there are `count` of them, all
+/// finite.
+[[nodiscard]] std::vector<float> parse_numbers(const std::string& option, const std::string& text,
+                                               std::size_t count);
 
 /// "1e6", "250000". Throws InputError, naming the option, unless it is a whole number from 1 to 1e15.
 [[nodiscard]] std::uint64_t parse_count(const std::string& option, const std::string& text);

@@ -24,7 +24,8 @@ constexpr int image_width = 640, image_height = 360;
 void draw_images(const ComparePlan& plan, const CompareScene& scene, const nlohmann::ordered_json& rows) {
     const fs::path folder = plan.out / "images";
     fs::create_directories(folder);
-    const auto pixels = common::visible_surfaces(scene.loaded.rays, scene.loaded.camera, image_width, image_height);
+    const auto pixels =
+        common::visible_surfaces(scene.loaded.rays, scene.loaded.camera, image_width, image_height);
     float exposure = 0;
     for (const std::string& method : plan.methods) {
         std::uint64_t hits = 0;
@@ -33,7 +34,8 @@ void draw_images(const ComparePlan& plan, const CompareScene& scene, const nlohm
                 hits = std::max(hits, row["hits_asked"].get<std::uint64_t>());
         if (hits == 0) continue;
         const Workload workload{scene.loaded, scene.source, scene.queries, plan.seed, {.hits = hits}, {}};
-        const common::Image image = render_method(method, scene.prepared, workload, pixels, image_width, image_height);
+        const common::Image image =
+            render_method(method, scene.prepared, workload, pixels, image_width, image_height);
         if (exposure == 0) exposure = common::middle_grey_exposure(image);
         std::string name = method;
         std::replace(name.begin(), name.end(), '/', '-');
@@ -60,8 +62,10 @@ bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable
 
 /// Draws the charts with the project's Python script.
 void draw_charts(const ComparePlan& plan) {
-    const std::string command = fmt::format("/usr/bin/python3 '{}/bench/report/charts.py' '{}'", source_folder, plan.out.string());
-    if (std::system(command.c_str()) != 0) fmt::print(stderr, "compare: the charts could not be drawn; the table is complete\n");
+    const std::string command =
+        fmt::format("/usr/bin/python3 '{}/bench/report/charts.py' '{}'", source_folder, plan.out.string());
+    if (std::system(command.c_str()) != 0)
+        fmt::print(stderr, "compare: the charts could not be drawn; the table is complete\n");
 }
 
 void run(const CompareOptions& options) {
@@ -71,8 +75,8 @@ void run(const CompareOptions& options) {
         ResultTable table(plan);
         for (const std::string& file : plan.files)
             if (!compare_scene(plan, file, table))
-                throw Interrupted(fmt::format("compare stopped: {} finished rows are in {}", table.rows().size(),
-                                              (plan.out / "compare.json").string()));
+                throw Interrupted(fmt::format("compare stopped: {} finished rows are in {}",
+                                              table.rows().size(), (plan.out / "compare.json").string()));
         draw_charts(plan);
         fmt::print("{}", rows_as_text(table.rows()));
         fmt::print("\n{}\n", (plan.out / "compare.json").string());
@@ -83,7 +87,8 @@ void run(const CompareOptions& options) {
 
 void add_compare_command(CLI::App& app) {
     const auto options = std::make_shared<CompareOptions>();
-    CLI::App* command = app.add_subcommand("compare", "Measure the methods side by side as the number of hits grows");
+    CLI::App* command =
+        app.add_subcommand("compare", "Measure the methods side by side as the number of hits grows");
     options->add_to(*command);
     command->callback([options] { run(*options); });
 }

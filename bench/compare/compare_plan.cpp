@@ -25,11 +25,18 @@ void check_names(const std::vector<std::string>& files) {
 
 void CompareOptions::add_to(CLI::App& command) {
     command.add_option("SCENE", files, "glTF 2.0 files, .gltf or .glb")->required();
-    command.add_option("--hits", hits, "Numbers of hits, separated by commas")->delimiter(',')->capture_default_str();
-    command.add_option("--methods", methods, "Methods, separated by commas")->delimiter(',')->capture_default_str();
-    command.add_option("--out", out, "Folder for compare.json, compare.csv, charts and images")->capture_default_str();
-    command.add_option("--max-memory", max_memory, "Methods that would need more are not started; default: 9/10 of what is free");
-    command.add_option("--repetitions", repetitions, "Runs of each method, interleaved; the table has medians")
+    command.add_option("--hits", hits, "Numbers of hits, separated by commas")
+        ->delimiter(',')
+        ->capture_default_str();
+    command.add_option("--methods", methods, "Methods, separated by commas")
+        ->delimiter(',')
+        ->capture_default_str();
+    command.add_option("--out", out, "Folder for compare.json, compare.csv, charts and images")
+        ->capture_default_str();
+    command.add_option("--max-memory", max_memory,
+                       "Methods that would need more are not started; default: 9/10 of what is free");
+    command
+        .add_option("--repetitions", repetitions, "Runs of each method, interleaved; the table has medians")
         ->capture_default_str();
     command.add_option("--seconds-per-size", seconds_per_size,
                        "Fewer repetitions where one scene and number of hits would take longer");
@@ -44,8 +51,9 @@ ComparePlan make_plan(const CompareOptions& options) {
                      .hits = {},
                      .methods = {},
                      .out = options.out,
-                     .max_bytes = options.max_memory.empty() ? default_max_bytes()
-                                                             : parse_bytes("--max-memory", options.max_memory),
+                     .max_bytes = options.max_memory.empty()
+                                      ? default_max_bytes()
+                                      : parse_bytes("--max-memory", options.max_memory),
                      .repetitions = options.repetitions,
                      .seconds_per_size = options.seconds_per_size,
                      .scene = options.scene,

@@ -26,12 +26,12 @@ struct CompareOptions {
 
 struct ComparePlan {
     std::vector<std::string> files;
-    std::vector<std::uint64_t> hits;  ///< ascending
-    std::vector<std::string> methods; ///< full names
-    std::filesystem::path out;        ///< exists and can be written to
+    std::vector<std::uint64_t> hits;   ///< ascending
+    std::vector<std::string> methods;  ///< full names
+    std::filesystem::path out;         ///< exists and can be written to
     std::size_t max_bytes;
     std::size_t repetitions;
-    double seconds_per_size;          ///< no repetition is begun that would take one scene and size past this
+    double seconds_per_size;  ///< no repetition is begun that would take one scene and size past this
     SceneOptions scene;
     MethodSettings settings;
     int threads;

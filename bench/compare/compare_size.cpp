@@ -14,7 +14,8 @@ namespace bench {
 namespace {
 
 /// The row of a method before anything has been measured, with the reason where it will not be run.
-RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const std::string& method, std::uint64_t hits) {
+RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const std::string& method,
+                   std::uint64_t hits) {
     RowInput row{.scene = scene.loaded.name,
                  .method = method,
                  .hits_asked = hits,
@@ -38,7 +39,11 @@ RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const std
 bool run_once(const ComparePlan& plan, const CompareScene& scene, std::uint64_t hits, std::size_t repetition,
               std::vector<RowInput>& rows) {
     const auto workload = [&](common::Progress& progress) {
-        return Workload{scene.loaded, scene.source, scene.queries, plan.seed, {.hits = hits},
+        return Workload{scene.loaded,
+                        scene.source,
+                        scene.queries,
+                        plan.seed,
+                        {.hits = hits},
                         [&progress](const common::TraceReport& so_far) {
                             progress.show(so_far.hits);
                             return !common::interrupted();
@@ -52,7 +57,8 @@ bool run_once(const ComparePlan& plan, const CompareScene& scene, std::uint64_t 
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::size_t m = (i + repetition) % rows.size();
         if (!rows[m].skipped.empty()) continue;
-        common::Progress progress(fmt::format("{} {} {}", scene.loaded.name, hits, rows[m].method), "hits", hits);
+        common::Progress progress(fmt::format("{} {} {}", scene.loaded.name, hits, rows[m].method), "hits",
+                                  hits);
         measured[m] = measure_method(rows[m].method, scene.prepared, workload(progress));
         if (common::interrupted()) return false;
     }
@@ -71,11 +77,14 @@ SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene, std:
     for (const std::string& method : plan.methods) rows.push_back(begin_row(plan, scene, method, hits));
 
     SizeResult result;
-    const bool anything = std::any_of(rows.begin(), rows.end(), [](const RowInput& r) { return r.skipped.empty(); });
+    const bool anything =
+        std::any_of(rows.begin(), rows.end(), [](const RowInput& r) { return r.skipped.empty(); });
     const auto start = std::chrono::steady_clock::now();
     for (std::size_t done = 0; anything && done < plan.repetitions && !result.interrupted; ++done) {
-        const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        const double after_one_more = done == 0 ? 0 : elapsed * static_cast<double>(done + 1) / static_cast<double>(done);
+        const double elapsed =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double after_one_more =
+            done == 0 ? 0 : elapsed * static_cast<double>(done + 1) / static_cast<double>(done);
         if (after_one_more > plan.seconds_per_size) break;
         result.interrupted = !run_once(plan, scene, hits, done, rows);
     }

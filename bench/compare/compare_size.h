@@ -19,7 +19,7 @@ struct CompareScene {
 
 struct SizeResult {
     std::vector<nlohmann::ordered_json> rows;  ///< one per method, run or skipped
-    bool interrupted = false;                  ///< the user ended it: rows have whole repetitions only, maybe none
+    bool interrupted = false;  ///< the user ended it: rows have whole repetitions only, maybe none
 };
 
 /// Runs the plan's methods interleaved, each repetition beginning with another one, next to the null sink.

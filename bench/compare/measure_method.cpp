@@ -8,7 +8,9 @@ namespace {
 
 class Stopwatch {
   public:
-    [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(Clock::now() - start_).count();
+    }
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -31,7 +33,9 @@ double gather_all(const Map& map, std::span<const common::SurfacePoint> points) 
     return sum;
 }
 
-std::size_t insert_bytes(const shlm::Sink& sink) { return sink.accumulator().bytes(); }
+std::size_t insert_bytes(const shlm::Sink& sink) {
+    return sink.accumulator().bytes();
+}
 
 template <class Sink>
 std::size_t insert_bytes(const Sink&) {

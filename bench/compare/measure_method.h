@@ -15,13 +15,13 @@ namespace bench {
 struct Measurement {
     common::TraceReport trace;
     double build_seconds = 0;
-    double gather_seconds = 0;           ///< all query points, image order, one thread
+    double gather_seconds = 0;  ///< all query points, image order, one thread
     double gather_shuffled_seconds = 0;
-    std::size_t bytes = 0;               ///< finished map with its index
-    std::size_t insert_bytes = 0;        ///< the store while it takes hits; 0: the same as `bytes`
+    std::size_t bytes = 0;         ///< finished map with its index
+    std::size_t insert_bytes = 0;  ///< the store while it takes hits; 0: the same as `bytes`
     std::size_t peak_resident_bytes = 0;
     common::RejectedHits rejected;
-    double mean_irradiance = 0;          ///< over the query points and channels, W/m^2: are the answers alike?
+    double mean_irradiance = 0;  ///< over the query points and channels, W/m^2: are the answers alike?
 };
 
 /// What a run works on.
@@ -34,15 +34,18 @@ struct Workload {
     common::TraceProgress progress;
 };
 
-/// Uses the threads of the calling arena for all but the gathers. An interrupted run has trace.interrupted set and
-/// nothing after the trace.
-[[nodiscard]] Measurement measure_method(std::string_view method, PreparedMethods& prepared, const Workload& workload);
+/// Uses the threads of the calling arena for all but the gathers. An interrupted run has trace.interrupted
+/// set and nothing after the trace.
+[[nodiscard]] Measurement measure_method(std::string_view method, PreparedMethods& prepared,
+                                         const Workload& workload);
 
 /// The same trace without a store.
 [[nodiscard]] common::TraceReport measure_null_sink(const Workload& workload);
 
 /// An untimed run of the method, and its picture.
-[[nodiscard]] common::Image render_method(std::string_view method, PreparedMethods& prepared, const Workload& workload,
-                                          std::span<const common::VisibleSurface> pixels, int width, int height);
+[[nodiscard]] common::Image render_method(std::string_view method, PreparedMethods& prepared,
+                                          const Workload& workload,
+                                          std::span<const common::VisibleSurface> pixels, int width,
+                                          int height);
 
 }  // namespace bench

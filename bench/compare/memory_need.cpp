@@ -37,6 +37,8 @@ std::string reason_to_skip(std::string_view method, const MethodSettings& settin
     return fmt::format("needs {:.1f} GiB", static_cast<double>(needed) * 0x1p-30);
 }
 
-std::size_t default_max_bytes() { return common::available_bytes() / 10 * 9; }
+std::size_t default_max_bytes() {
+    return common::available_bytes() / 10 * 9;
+}
 
 }  // namespace bench

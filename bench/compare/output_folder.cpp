@@ -14,7 +14,9 @@ namespace fs = std::filesystem;
 void prepare_output_folder(const std::string& option, const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw common::InputError(fmt::format("{}: {} cannot be made: {}", option, folder.string(), error.message()));
+    if (error)
+        throw common::InputError(
+            fmt::format("{}: {} cannot be made: {}", option, folder.string(), error.message()));
     if (access(folder.c_str(), W_OK) != 0)
         throw common::InputError(fmt::format("{}: {} cannot be written to", option, folder.string()));
 }

@@ -12,7 +12,8 @@ QueryPoints visible_query_points(const LoadedScene& scene, std::uint64_t seed) {
     for (const common::VisibleSurface& pixel : common::visible_surfaces(scene.rays, scene.camera, 128, 72))
         if (pixel.present) points.image_order.push_back(pixel.point);
     if (points.image_order.empty())
-        throw common::InputError(scene.scene.source + ": the camera sees no diffuse surface; give another with --camera");
+        throw common::InputError(scene.scene.source +
+                                 ": the camera sees no diffuse surface; give another with --camera");
 
     points.shuffled = points.image_order;
     std::mt19937_64 random(seed);

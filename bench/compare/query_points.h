@@ -7,8 +7,8 @@
 
 namespace bench {
 
-/// Surface points that the camera sees, in two orders. Neighbours in the image are neighbours in memory too, so that the
-/// same gathers are several times as fast in the first order as in the second.
+/// Surface points that the camera sees, in two orders. Neighbours in the image are neighbours in memory too,
+/// so that the same gathers are several times as fast in the first order as in the second.
 struct QueryPoints {
     std::vector<common::SurfacePoint> image_order;
     std::vector<common::SurfacePoint> shuffled;

@@ -33,7 +33,8 @@ std::vector<double> each(const std::vector<Item>& items, Value value) {
 void add_times(Json& row, const RowInput& in) {
     const auto& m = in.measurements;
     const auto queries = static_cast<double>(in.queries);
-    add_timing(row, "trace_seconds", each(in.null_sink, [](const auto& t) { return t.trace_seconds + t.sink_seconds; }));
+    add_timing(row, "trace_seconds",
+               each(in.null_sink, [](const auto& t) { return t.trace_seconds + t.sink_seconds; }));
     add_timing(row, "trace_and_insert_seconds",
                each(m, [](const auto& x) { return x.trace.trace_seconds + x.trace.sink_seconds; }));
     std::vector<double> ratios;
@@ -45,7 +46,8 @@ void add_times(Json& row, const RowInput& in) {
                    return 1e9 * x.trace.sink_seconds * in.threads / static_cast<double>(x.trace.hits);
                }));
     add_timing(row, "build_seconds", each(m, [](const auto& x) { return x.build_seconds; }));
-    add_timing(row, "gather_us_per_query", each(m, [&](const auto& x) { return 1e6 * x.gather_seconds / queries; }));
+    add_timing(row, "gather_us_per_query",
+               each(m, [&](const auto& x) { return 1e6 * x.gather_seconds / queries; }));
     add_timing(row, "gather_us_per_query_shuffled",
                each(m, [&](const auto& x) { return 1e6 * x.gather_shuffled_seconds / queries; }));
 }
@@ -57,7 +59,10 @@ std::string csv_cell(const Json& value) {
 }  // namespace
 
 Json make_row(const RowInput& in) {
-    Json row = {{"scene", in.scene}, {"method", in.method}, {"hits_asked", in.hits_asked}, {"seed", in.seed},
+    Json row = {{"scene", in.scene},
+                {"method", in.method},
+                {"hits_asked", in.hits_asked},
+                {"seed", in.seed},
                 {"threads", in.threads}};
     if (!in.skipped.empty()) {
         row["skipped"] = in.skipped;
@@ -79,8 +84,8 @@ Json make_row(const RowInput& in) {
     add_times(row, in);
     row["bytes"] = first.bytes;
     row["insert_bytes"] = first.insert_bytes > 0 ? first.insert_bytes : first.bytes;
-    row["peak_rss_bytes"] = static_cast<std::size_t>(
-        median(each(in.measurements, [](const auto& x) { return static_cast<double>(x.peak_resident_bytes); })));
+    row["peak_rss_bytes"] = static_cast<std::size_t>(median(
+        each(in.measurements, [](const auto& x) { return static_cast<double>(x.peak_resident_bytes); })));
     row["mean_irradiance"] = first.mean_irradiance;
     return row;
 }
@@ -105,19 +110,23 @@ std::string rows_as_csv(const Json& rows) {
 }
 
 std::string rows_as_text(const Json& rows) {
-    std::string text = fmt::format("{:<10} {:<27} {:>9} {:>9} {:>9} {:>8} {:>9} {:>9} {:>10}\n", "scene", "method", "hits",
-                                   "trace s", "insert ns", "build s", "gather us", "shuffled", "MiB");
+    std::string text =
+        fmt::format("{:<10} {:<27} {:>9} {:>9} {:>9} {:>8} {:>9} {:>9} {:>10}\n", "scene", "method", "hits",
+                    "trace s", "insert ns", "build s", "gather us", "shuffled", "MiB");
     for (const Json& row : rows) {
-        const std::string name = fmt::format("{:<10} {:<27} ", row["scene"].get<std::string>(), row["method"].get<std::string>());
+        const std::string name =
+            fmt::format("{:<10} {:<27} ", row["scene"].get<std::string>(), row["method"].get<std::string>());
         if (row.contains("skipped"))
-            text += name + fmt::format("{:>9.3g} skipped: {}\n", row["hits_asked"].get<double>(), row["skipped"].get<std::string>());
+            text += name + fmt::format("{:>9.3g} skipped: {}\n", row["hits_asked"].get<double>(),
+                                       row["skipped"].get<std::string>());
         else
-            text += name + fmt::format("{:>9.3g} {:>9.3g} {:>9.1f} {:>8.3g} {:>9.2f} {:>9.2f} {:>10.1f}\n",
-                                       row["hits"].get<double>(), row["trace_seconds"].get<double>(),
-                                       row["insert_ns_per_hit"].get<double>(), row["build_seconds"].get<double>(),
-                                       row["gather_us_per_query"].get<double>(),
-                                       row["gather_us_per_query_shuffled"].get<double>(),
-                                       row["bytes"].get<double>() * 0x1p-20);
+            text +=
+                name + fmt::format("{:>9.3g} {:>9.3g} {:>9.1f} {:>8.3g} {:>9.2f} {:>9.2f} {:>10.1f}\n",
+                                   row["hits"].get<double>(), row["trace_seconds"].get<double>(),
+                                   row["insert_ns_per_hit"].get<double>(), row["build_seconds"].get<double>(),
+                                   row["gather_us_per_query"].get<double>(),
+                                   row["gather_us_per_query_shuffled"].get<double>(),
+                                   row["bytes"].get<double>() * 0x1p-20);
     }
     return text;
 }

@@ -17,10 +17,10 @@ struct RowInput {
     std::uint64_t seed = 0;
     int threads = 1;
     std::size_t queries = 0;
-    std::size_t texels = 0;                            ///< of the light map; 0 for photon maps
-    std::vector<common::TraceReport> null_sink;        ///< one per repetition, paired with `measurements`
+    std::size_t texels = 0;                      ///< of the light map; 0 for photon maps
+    std::vector<common::TraceReport> null_sink;  ///< one per repetition, paired with `measurements`
     std::vector<Measurement> measurements;
-    std::string skipped;                               ///< why the method was not run; empty where it was
+    std::string skipped;  ///< why the method was not run; empty where it was
 };
 
 /// Medians over the repetitions, each time with its smallest and largest value beside it.

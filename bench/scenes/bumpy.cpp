@@ -28,12 +28,10 @@ Materials add_materials(SceneDescription& scene) {
                                            .block = Rgb(0.58f, 0.56f, 0.54f),
                                            .mortar = Rgb(0.45f, 0.44f, 0.43f),
                                            .variation = 0.15f});
-    const float gray = 0.6f;
+    const Rgb gray(0.6f, 0.6f, 0.6f);
     return {scene.add_patterned("bricks", bricks, texture_pixels),
-            scene.add_bumped("domes", Rgb(gray, gray, gray), domes(3, 0.84f, slope_60_degrees, gray).height,
-                             texture_pixels),
-            scene.add_bumped("ridges", Rgb(gray, gray, gray), ridges(5, slope_55_degrees, gray).height,
-                             texture_pixels),
+            scene.add_bumped("domes", gray, domes(3, 0.84f, slope_60_degrees), texture_pixels),
+            scene.add_bumped("ridges", gray, ridges(5, slope_55_degrees), texture_pixels),
             scene.add_diffuse("plain", {0.65f, 0.65f, 0.65f})};
 }
 

@@ -49,7 +49,7 @@ void add_stand(SceneDescription& scene) {
         const float angle = 2 * pi * (static_cast<float>(post) + 0.25f) / 3;
         const Vec3 foot(sphere_centre.x + ring_radius * std::cos(angle), 0,
                         sphere_centre.z + ring_radius * std::sin(angle));
-        add_lathe(posts, foot, straight_curve({post_radius, 0}, {post_radius, top - gap}), 12, 1);
+        add_lathe(posts, foot, straight_curve({post_radius, 0}, {post_radius, top - gap}), 12, 8);
         add_lathe(posts, foot, straight_curve({post_radius, top - gap}, {0, top - gap}), 12, 1);
     }
     scene.place("stand", posts, scene.add_diffuse("dark_metal", {0.2f, 0.2f, 0.2f}));

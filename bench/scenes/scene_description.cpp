@@ -41,7 +41,9 @@ int SceneDescription::add_emitter(const std::string& name, const Rgb& radiance) 
 }
 
 int SceneDescription::add_patterned(const std::string& name, const SurfacePattern& pattern, int size) {
-    const int index = add_bumped(name, Rgb(1, 1, 1), pattern.height, size);
+    const Rgb white(1, 1, 1);
+    const int index =
+        pattern.height ? add_bumped(name, white, pattern.height, size) : add_diffuse(name, white);
     material[index].base_color_texture.texture =
         append(image, make_color_image(name + "_color", size, pattern.albedo));
     return index;

@@ -29,7 +29,8 @@ class SceneDescription {
     int add_diffuse(const std::string& name, const Rgb& albedo);
     int add_emitter(const std::string& name, const Rgb& radiance);  ///< W/(m^2 sr)
 
-    /// A diffuse material with base colour and normal textures of `size` pixels.
+    /// A diffuse material with base colour and, unless the pattern is flat, normal textures, `size` pixels
+    /// wide.
     int add_patterned(const std::string& name, const SurfacePattern& pattern, int size);
     /// The same with a plain colour and only the normal texture.
     int add_bumped(const std::string& name, const Rgb& albedo, const Height& height, int size);

@@ -67,7 +67,7 @@ SurfacePattern marble(const Rgb& albedo) {
         return albedo * (0.75f + 0.25f * smooth_between(0.0f, 0.35f, vein)) *
                (0.92f + 0.16f * fractal_noise(uv, 8, 4, 33));
     };
-    return {veined, [](Vec2) { return 0.0f; }};
+    return {veined, {}};
 }
 
 SurfacePattern wood(const Rgb& albedo) {
@@ -103,8 +103,8 @@ SurfacePattern cloth() {
         [thread_height](Vec2 uv) { return 0.003f * thread_height(uv); }};
 }
 
-SurfacePattern domes(int per_side, float radius_fraction, float steepest_slope, float albedo) {
-    const Height caps = [=](Vec2 uv) {
+Height domes(int per_side, float radius_fraction, float steepest_slope) {
+    return [=](Vec2 uv) {
         const auto from_centre = [&](float x) {
             const float cell = x * static_cast<float>(per_side);
             return (cell - std::floor(cell) - 0.5f) / static_cast<float>(per_side);
@@ -116,15 +116,13 @@ SurfacePattern domes(int per_side, float radius_fraction, float steepest_slope, 
         return std::sqrt(sphere_radius * sphere_radius - distance * distance) -
                sphere_radius * std::cos(steepest_slope);
     };
-    return {[albedo](Vec2) { return gray(albedo); }, caps};
 }
 
-SurfacePattern ridges(int per_tile, float steepest_slope, float albedo) {
-    const Height waves = [=](Vec2 uv) {
+Height ridges(int per_tile, float steepest_slope) {
+    return [=](Vec2 uv) {
         const float frequency = 2 * pi * static_cast<float>(per_tile);
         return std::tan(steepest_slope) / frequency * std::sin(frequency * uv.x);
     };
-    return {[albedo](Vec2) { return gray(albedo); }, waves};
 }
 
 }  // namespace scenes

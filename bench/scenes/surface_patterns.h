@@ -8,7 +8,7 @@ namespace scenes {
 /// One tile of a pattern.
 struct SurfacePattern {
     Albedo albedo;
-    Height height;
+    Height height;  ///< empty where the surface is flat
 };
 
 /// Blocks in running bond (every second course shifted by half a block) with recessed joints.
@@ -27,11 +27,11 @@ struct Masonry {
 [[nodiscard]] SurfacePattern wood(const Rgb& albedo);     ///< boards with grain along v
 [[nodiscard]] SurfacePattern cloth();  ///< near-white weave, to be tinted by the base colour factor
 
-/// Spherical caps in a square grid, all of one grey, so that only the normal map shows them.
+/// Spherical caps in a square grid; `radius_fraction` of 1 makes neighbours touch.
 /// `steepest_slope` in radians is that of the caps' rims.
-[[nodiscard]] SurfacePattern domes(int per_side, float radius_fraction, float steepest_slope, float albedo);
+[[nodiscard]] Height domes(int per_side, float radius_fraction, float steepest_slope);
 
-/// Sinusoidal ridges along v.
-[[nodiscard]] SurfacePattern ridges(int per_tile, float steepest_slope, float albedo);
+/// Sinusoidal ridges along v, as steep as `steepest_slope` in radians.
+[[nodiscard]] Height ridges(int per_tile, float steepest_slope);
 
 }  // namespace scenes

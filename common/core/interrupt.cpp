@@ -20,6 +20,8 @@ void note_interrupts() {
     std::signal(SIGTERM, note);
 }
 
-bool interrupted() { return noted != 0; }
+bool interrupted() {
+    return noted != 0;
+}
 
 }  // namespace common

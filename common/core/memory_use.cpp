@@ -31,13 +31,17 @@ std::size_t heap_bytes() {
 #endif
 }
 
-std::size_t peak_resident_bytes() { return proc_bytes("/proc/self/status", "VmHWM"); }
+std::size_t peak_resident_bytes() {
+    return proc_bytes("/proc/self/status", "VmHWM");
+}
 
 void reset_peak_resident_bytes() {
     malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << 5;  // proc(5): resets the peak resident size
 }
 
-std::size_t available_bytes() { return proc_bytes("/proc/meminfo", "MemAvailable"); }
+std::size_t available_bytes() {
+    return proc_bytes("/proc/meminfo", "MemAvailable");
+}
 
 }  // namespace common

@@ -5,8 +5,8 @@
 
 namespace common {
 
-/// Bytes that the program has allocated on the heap and not freed. The difference across a call, with no other thread
-/// allocating, is what the call keeps: for libraries that cannot say so themselves.
+/// Bytes that the program has allocated on the heap and not freed. The difference across a call, with no
+/// other thread allocating, is what the call keeps: for libraries that cannot say so themselves.
 [[nodiscard]] std::size_t heap_bytes();
 
 /// Largest resident size since the start or the last reset, bytes.

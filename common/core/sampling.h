@@ -32,10 +32,14 @@ inline Vec3 direction_at(float z, float turn) {
 }
 
 /// Density cos(theta) / pi over the hemisphere around +z. The cosine is never 0.
-inline Vec3 sample_cosine_hemisphere(float u1, float u2) { return direction_at(std::sqrt(1.0f - u1), u2); }
+inline Vec3 sample_cosine_hemisphere(float u1, float u2) {
+    return direction_at(std::sqrt(1.0f - u1), u2);
+}
 
 /// Density 1 / (4 pi).
-inline Vec3 sample_sphere(float u1, float u2) { return direction_at(1.0f - 2.0f * u1, u2); }
+inline Vec3 sample_sphere(float u1, float u2) {
+    return direction_at(1.0f - 2.0f * u1, u2);
+}
 
 /// Uniform in solid angle over the cone of directions within `cos_angle` of +z.
 inline Vec3 sample_cone(float cos_angle, float u1, float u2) {

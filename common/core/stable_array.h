@@ -11,10 +11,11 @@
 
 namespace common {
 
-/// Elements keep their addresses while the array grows and when it is moved, growing copies nothing, and memory is taken
-/// from the system only as elements are written: address space for `max_size` of them is reserved up front (mmap(2)).
+/// Elements keep their addresses while the array grows and when it is moved, growing copies nothing, and
+/// memory is taken from the system only as elements are written: address space for `max_size` of them is
+/// reserved up front (mmap(2)).
 template <class T>
-    requires std::is_trivially_destructible_v<T>
+requires std::is_trivially_destructible_v<T>
 class StableArray {
   public:
     /// Throws std::bad_alloc where the system does not give that much address space.
@@ -23,7 +24,8 @@ class StableArray {
                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
         if (memory == MAP_FAILED) throw std::bad_alloc();
         data_ = static_cast<T*>(memory);
-        madvise(memory, reserved_bytes(), MADV_HUGEPAGE);  // fewer page faults; refused on some systems, and then no loss
+        madvise(memory, reserved_bytes(),
+                MADV_HUGEPAGE);  // fewer page faults; refused on some systems, and then no loss
     }
 
     StableArray(StableArray&& other) noexcept
@@ -36,7 +38,8 @@ class StableArray {
         if (data_) munmap(data_, reserved_bytes());
     }
 
-    /// Makes room for `count` more elements and returns it, zero until written. Throws std::bad_alloc past max_size.
+    /// Makes room for `count` more elements and returns it, zero until written. Throws std::bad_alloc past
+    /// max_size.
     std::span<T> grow(std::size_t count) {
         if (count > max_size_ - size_) throw std::bad_alloc();
         size_ += count;

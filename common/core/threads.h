@@ -8,12 +8,13 @@
 
 namespace common {
 
-/// While it lives, `run` executes work in which oneTBB's parallel algorithms use exactly `threads` threads, also more
-/// than the machine has cores. One at a time.
+/// While it lives, `run` executes work in which oneTBB's parallel algorithms use exactly `threads` threads,
+/// also more than the machine has cores. One at a time.
 class ThreadPool {
   public:
     explicit ThreadPool(int threads)
-        : limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)), arena_(threads) {}
+        : limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
+          arena_(threads) {}
 
     template <class Work>
     decltype(auto) run(Work&& work) {

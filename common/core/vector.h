@@ -12,14 +12,23 @@ namespace common {
 using Vec2 = Imath::V2f;
 using Vec3 = Imath::V3f;
 
-/// Linear RGB with Rec. 709 primaries. The unit is said where one is used: W, W/m^2 or W/(m^2 sr) per channel.
+/// Linear RGB with Rec. 709 primaries. The unit is said where one is used: W, W/m^2 or W/(m^2 sr) per
+/// channel.
 using Rgb = Imath::C3f;
 
-inline float max_component(const Rgb& c) { return std::max({c.x, c.y, c.z}); }
-inline float mean_component(const Rgb& c) { return (c.x + c.y + c.z) * (1.0f / 3.0f); }
+inline float max_component(const Rgb& c) {
+    return std::max({c.x, c.y, c.z});
+}
+inline float mean_component(const Rgb& c) {
+    return (c.x + c.y + c.z) * (1.0f / 3.0f);
+}
 
-inline bool is_finite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
-inline bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+inline bool is_finite(const Vec2& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y);
+}
+inline bool is_finite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 /// `a + u (b - a) + v (c - a)`: the value at barycentric coordinates (u, v), as Embree defines them.
 template <class T>

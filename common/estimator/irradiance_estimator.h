@@ -11,7 +11,8 @@ namespace common {
 /// A finished, immutable map that any number of threads may ask at once.
 template <class M>
 concept IrradianceEstimator = requires(const M& map, const SurfacePoint& point) {
-    /// Irradiance at the point for its shading normal, W/m^2: not divided by pi, not multiplied by the albedo.
+    /// Irradiance at the point for its shading normal, W/m^2: not divided by pi, not multiplied by the
+    /// albedo.
     { map.irradiance(point) } -> std::same_as<Rgb>;
     /// Everything that the answer needs, from capacities.
     { map.bytes() } -> std::same_as<std::size_t>;
@@ -19,10 +20,10 @@ concept IrradianceEstimator = requires(const M& map, const SurfacePoint& point) 
 
 /// Hits that a store could not take, by reason. Hits of a run = stored + rejected.
 struct RejectedHits {
-    std::uint64_t not_finite = 0;             ///< position or flux is NaN or infinite
-    std::uint64_t without_lightmap_uv = 0;    ///< the surface has no lightmap coordinates
-    std::uint64_t back_of_single_sided = 0;   ///< on the back of a surface whose material shows its front only
-    std::uint64_t outside_texels = 0;         ///< rounding put it on a texel that no triangle covers
+    std::uint64_t not_finite = 0;            ///< position or flux is NaN or infinite
+    std::uint64_t without_lightmap_uv = 0;   ///< the surface has no lightmap coordinates
+    std::uint64_t back_of_single_sided = 0;  ///< on the back of a surface whose material shows its front only
+    std::uint64_t outside_texels = 0;        ///< rounding put it on a texel that no triangle covers
 
     [[nodiscard]] std::uint64_t total() const {
         return not_finite + without_lightmap_uv + back_of_single_sided + outside_texels;
@@ -37,13 +38,13 @@ struct RejectedHits {
     }
 };
 
-/// Smallest cosine of incidence that a hit is divided by. A hit of flux F on area a is F / a on the surface, and
-/// F / (a cos theta) on a plane that faces the light; the clamp keeps grazing hits from outweighing all others and
-/// darkens uniform light by half its value.
+/// Smallest cosine of incidence that a hit is divided by. A hit of flux F on area a is F / a on the surface,
+/// and F / (a cos theta) on a plane that faces the light; the clamp keeps grazing hits from outweighing all
+/// others and darkens uniform light by half its value.
 inline constexpr float min_incident_cosine = 1e-3f;
 
-/// Two places belong to the same surface, for a gather, if their normals are within 60 degrees: photons or texels round a
-/// corner, or on the other side of a wall, do not count.
+/// Two places belong to the same surface, for a gather, if their normals are within 60 degrees: photons or
+/// texels round a corner, or on the other side of a wall, do not count.
 inline constexpr float same_surface_cosine = 0.5f;
 
 }  // namespace common

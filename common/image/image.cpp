@@ -14,9 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Writes with OpenImageIO under a name beside `file`, then renames.
-void write_safely(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* values) {
-    const fs::path temporary =
-        file.parent_path() / fmt::format(".{}.{}{}", file.stem().string(), getpid(), file.extension().string());
+void write_safely(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+                  const void* values) {
+    const fs::path temporary = file.parent_path() / fmt::format(".{}.{}{}", file.stem().string(), getpid(),
+                                                                file.extension().string());
     const auto fail = [&](const std::string& why) {
         std::error_code ignored;
         fs::remove(temporary, ignored);
@@ -58,7 +59,8 @@ void write_png(const fs::path& file, const Image& image, float exposure) {
     std::vector<float> encoded;
     encoded.reserve(image.pixel_count() * 3);
     for (std::size_t p = 0; p < image.pixel_count(); ++p)
-        for (std::size_t c = 0; c < 3; ++c) encoded.push_back(srgb_encoded(rolled_off(image.at(p, c) * exposure)));
+        for (std::size_t c = 0; c < 3; ++c)
+            encoded.push_back(srgb_encoded(rolled_off(image.at(p, c) * exposure)));
     OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeUInt8);
     spec.attribute("oiio:ColorSpace", "sRGB");
     write_safely(file, spec, OIIO::TypeFloat, encoded.data());

@@ -17,7 +17,8 @@ flann::Matrix<float> as_matrix(std::span<const Vec3> points) {
 
 void check_count(std::size_t points) {
     if (points > max_flann_points)
-        throw InputError(fmt::format("FLANN holds at most {} points; {} were asked for", max_flann_points, points));
+        throw InputError(
+            fmt::format("FLANN holds at most {} points; {} were asked for", max_flann_points, points));
 }
 
 }  // namespace
@@ -40,7 +41,8 @@ void FlannIncrementalIndex::add(std::span<const Vec3> points) {
     if (tree_) {
         tree_->addPoints(as_matrix(points));
     } else {
-        tree_ = std::make_unique<flann::KDTreeIndex<FlannDistance>>(as_matrix(points), flann::KDTreeIndexParams(1));
+        tree_ = std::make_unique<flann::KDTreeIndex<FlannDistance>>(as_matrix(points),
+                                                                    flann::KDTreeIndexParams(1));
         tree_->buildIndex();
     }
     size_ += points.size();

@@ -16,8 +16,8 @@ inline constexpr std::size_t max_flann_points = 0x7fffffff;
 /// KDTreeSingleIndex: built once over all points, exact.
 class FlannIndex {
   public:
-    /// `points` must outlive the index and be finite: FLANN does not end on NaN. Throws InputError for more than
-    /// max_flann_points.
+    /// `points` must outlive the index and be finite: FLANN does not end on NaN. Throws InputError for more
+    /// than max_flann_points.
     explicit FlannIndex(std::span<const Vec3> points);
 
     template <class Accept>
@@ -35,11 +35,12 @@ class FlannIndex {
 
 /// KDTreeIndex with one tree: grows point by point (FLANN's addPoints), rebuilt whenever it has doubled.
 ///
-/// Its search is not exact in three dimensions: FLANN bounds the distance to a cell by the sum over all planes on the
-/// way, which is too much where two of them cut the same axis, and so leaves some cells out.
+/// Its search is not exact in three dimensions: FLANN bounds the distance to a cell by the sum over all
+/// planes on the way, which is too much where two of them cut the same axis, and so leaves some cells out.
 class FlannIncrementalIndex {
   public:
-    /// Inserts `points`, which take the next indices. They must stay where they are while the index lives, and be finite.
+    /// Inserts `points`, which take the next indices. They must stay where they are while the index lives,
+    /// and be finite.
     void add(std::span<const Vec3> points);
 
     template <class Accept>

@@ -3,6 +3,7 @@
 
 #include <flann/algorithms/dist.h>
 #include <flann/algorithms/nn_index.h>
+
 #include <cmath>
 #include <limits>
 
@@ -28,7 +29,8 @@ class FlannResultSet final : public flann::ResultSet<float> {
             nearest_.offer(distance_sq, static_cast<std::uint32_t>(index));
     }
 
-    /// FLANN drops what is not strictly nearer; equally near points must come through for the lower index to win.
+    /// FLANN drops what is not strictly nearer; equally near points must come through for the lower index to
+    /// win.
     [[nodiscard]] float worstDist() const override {
         return std::nextafter(nearest_.reach_sq(), std::numeric_limits<float>::infinity());
     }
@@ -42,7 +44,8 @@ template <class Accept>
 void flann_search(const FlannTree& tree, const Vec3& query, NearestSet& nearest, Accept accept) {
     FlannResultSet<Accept> results(nearest, accept);
     flann::SearchParams parameters(flann::FLANN_CHECKS_UNLIMITED);
-    // FLANN adds up the distance to a cell with rounding errors; the slack keeps it from skipping a cell by one of them.
+    // FLANN adds up the distance to a cell with rounding errors; the slack keeps it from skipping a cell by
+    // one of them.
     parameters.eps = -1e-5f;
     tree.findNeighbors(results, &query.x, parameters);
 }

@@ -11,7 +11,8 @@ struct Neighbour {
     float distance_sq;
     std::uint32_t index;
 
-    /// Nearer first; of equally near points the one with the lower index, so that every exact search finds the same set.
+    /// Nearer first; of equally near points the one with the lower index, so that every exact search finds
+    /// the same set.
     friend auto operator<=>(const Neighbour&, const Neighbour&) = default;
 };
 

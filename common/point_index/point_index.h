@@ -11,8 +11,8 @@ namespace common {
 
 inline constexpr auto accept_all = [](std::uint32_t) { return true; };
 
-/// Offers to `nearest` all points that could belong to it and that `accept(index)` admits. Points that are not admitted
-/// take nobody's place: the k nearest are the k nearest admitted.
+/// Offers to `nearest` all points that could belong to it and that `accept(index)` admits. Points that are
+/// not admitted take nobody's place: the k nearest are the k nearest admitted.
 template <class I>
 concept PointIndex = requires(const I& index, const Vec3& query, NearestSet& nearest) {
     { index.search(query, nearest, accept_all) } -> std::same_as<void>;

@@ -32,14 +32,16 @@ enum class SurfaceKind {
 struct Material {
     std::string name;
     SurfaceKind kind = SurfaceKind::diffuse;
-    Rgb base_color{1, 1, 1};  ///< albedo of a diffuse surface, reflectance of a mirror, tint of glass; in [0, 1]
+    Rgb base_color{1, 1,
+                   1};  ///< albedo of a diffuse surface, reflectance of a mirror, tint of glass; in [0, 1]
     TextureUse base_color_texture;
     TextureUse normal_texture;
     float normal_scale = 1.0f;
     Rgb emitted_radiance{0, 0, 0};  ///< W/(m^2 sr): emissiveFactor times emissiveStrength
     TextureUse emissive_texture;    ///< multiplies emitted_radiance
     float index_of_refraction = 1.5f;
-    bool double_sided = false;  ///< both faces emit and each has light of its own; otherwise the front face only
+    bool double_sided =
+        false;  ///< both faces emit and each has light of its own; otherwise the front face only
 
     [[nodiscard]] bool emits() const { return max_component(emitted_radiance) > 0; }
 };
@@ -71,8 +73,8 @@ struct SpotLight {
 };
 
 struct DirectionalLight {
-    Vec3 direction;   ///< unit, the way the light travels
-    Rgb irradiance;   ///< W/m^2 on a surface perpendicular to it
+    Vec3 direction;  ///< unit, the way the light travels
+    Rgb irradiance;  ///< W/m^2 on a surface perpendicular to it
 };
 
 /// Uniform light from everywhere outside.
@@ -83,8 +85,8 @@ struct Sky {
 struct Camera {
     std::string name;
     Vec3 eye;
-    Vec3 forward;  ///< unit
-    Vec3 up;       ///< unit, perpendicular to forward
+    Vec3 forward;                    ///< unit
+    Vec3 up;                         ///< unit, perpendicular to forward
     float vertical_fov = 0.785398f;  ///< radians
 };
 
@@ -94,7 +96,7 @@ struct Scene {
 
     // One entry per vertex. Vertices are not shared between mesh instances.
     std::vector<Vec3> position;
-    std::vector<Vec3> normal;                   ///< unit, world space; the triangle's own where the file gives none
+    std::vector<Vec3> normal;  ///< unit, world space; the triangle's own where the file gives none
     std::array<std::vector<Vec2>, 2> texcoord;  ///< TEXCOORD_0, TEXCOORD_1; zero where absent
     /// Unit tangent, world space, along increasing u of the normal texture; zero where the file gives none.
     std::vector<Vec3> tangent;
@@ -102,8 +104,8 @@ struct Scene {
 
     // One entry per triangle.
     std::vector<TriangleVertices> triangle;
-    std::vector<Vec3> geometric_normal;        ///< unit, out of the front face
-    std::vector<std::uint32_t> instance_of;    ///< index into `instance`
+    std::vector<Vec3> geometric_normal;      ///< unit, out of the front face
+    std::vector<std::uint32_t> instance_of;  ///< index into `instance`
 
     std::vector<MeshInstance> instance;
     std::vector<Material> material;

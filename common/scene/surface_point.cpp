@@ -7,16 +7,18 @@ struct TangentFrame {
     Vec3 tangent, bitangent;
 };
 
-/// Tangent and bitangent that belong to the texture coordinates of the normal map: the file's own, or else the
-/// triangle's derivatives of position by texture coordinate.
-TangentFrame tangent_frame_at(const Scene& scene, const SurfaceId& surface, const Vec3& normal, int texcoord_set) {
+/// Tangent and bitangent that belong to the texture coordinates of the normal map: the file's own, or else
+/// the triangle's derivatives of position by texture coordinate.
+TangentFrame tangent_frame_at(const Scene& scene, const SurfaceId& surface, const Vec3& normal,
+                              int texcoord_set) {
     const auto [a, b, c] = scene.triangle[surface.triangle];
     Vec3 tangent = interpolate(scene.tangent[a], scene.tangent[b], scene.tangent[c], surface.u, surface.v);
     float sign = scene.tangent_sign[a];
     if (tangent.length2() == 0) {
         const auto& uv = scene.texcoord[texcoord_set];
         const Vec2 duv1 = uv[b] - uv[a], duv2 = uv[c] - uv[a];
-        const Vec3 edge1 = scene.position[b] - scene.position[a], edge2 = scene.position[c] - scene.position[a];
+        const Vec3 edge1 = scene.position[b] - scene.position[a],
+                   edge2 = scene.position[c] - scene.position[a];
         const float determinant = duv1.x * duv2.y - duv1.y * duv2.x;
         if (determinant == 0) return {};
         tangent = (edge1 * duv2.y - edge2 * duv1.y) * std::copysign(1.0f, determinant);
@@ -26,9 +28,10 @@ TangentFrame tangent_frame_at(const Scene& scene, const SurfaceId& surface, cons
     return {tangent, normal.cross(tangent) * sign};
 }
 
-/// `normal` bent as the material's normal texture says (glTF 2.0, section 3.9.3: texel green points up, towards
-/// decreasing v, which is the bitangent's sense).
-Vec3 normal_mapped(const Scene& scene, const SurfaceId& surface, const Material& material, const Vec3& normal) {
+/// `normal` bent as the material's normal texture says (glTF 2.0, section 3.9.3: texel green points up,
+/// towards decreasing v, which is the bitangent's sense).
+Vec3 normal_mapped(const Scene& scene, const SurfaceId& surface, const Material& material,
+                   const Vec3& normal) {
     const TextureUse& use = material.normal_texture;
     const Vec3 texel = scene.texture[use.texture].sample(texcoord_at(scene, surface, use.texcoord_set));
     const Vec3 bent = {(2 * texel.x - 1) * material.normal_scale, (2 * texel.y - 1) * material.normal_scale,
@@ -63,7 +66,8 @@ Rgb base_color_at(const Scene& scene, const SurfaceId& surface) {
     const Material& material = scene.material_of(surface.triangle);
     const TextureUse& use = material.base_color_texture;
     if (use.texture == no_texture) return material.base_color;
-    return material.base_color * scene.texture[use.texture].sample(texcoord_at(scene, surface, use.texcoord_set));
+    return material.base_color *
+           scene.texture[use.texture].sample(texcoord_at(scene, surface, use.texcoord_set));
 }
 
 Rgb emitted_radiance_at(const Scene& scene, const SurfaceId& surface) {
@@ -80,8 +84,10 @@ SurfacePoint surface_point_at(const Scene& scene, const SurfaceId& surface, cons
     const bool front = direction.dot(front_normal) < 0;
 
     Vec3 shading = smooth_normal_at(scene, surface);
-    if (material.normal_texture.texture != no_texture) shading = normal_mapped(scene, surface, material, shading);
-    // A map may bend the normal past the horizon; what faces away from its own surface gathers nothing sensible.
+    if (material.normal_texture.texture != no_texture)
+        shading = normal_mapped(scene, surface, material, shading);
+    // A map may bend the normal past the horizon; what faces away from its own surface gathers nothing
+    // sensible.
     if (shading.dot(front_normal) <= 0) shading = front_normal;
 
     const float side = front ? 1.0f : -1.0f;

@@ -7,8 +7,8 @@
 
 namespace common {
 
-/// A place on the scene's surface: a triangle and barycentric coordinates (Embree's: weight u on the second corner,
-/// v on the third).
+/// A place on the scene's surface: a triangle and barycentric coordinates (Embree's: weight u on the second
+/// corner, v on the third).
 struct SurfaceId {
     std::uint32_t triangle;
     float u, v;
@@ -36,6 +36,7 @@ struct SurfacePoint {
 [[nodiscard]] Rgb emitted_radiance_at(const Scene& scene, const SurfaceId& surface);
 
 /// The point seen along `direction` (unit, towards the surface), with its normals on the side that is seen.
-[[nodiscard]] SurfacePoint surface_point_at(const Scene& scene, const SurfaceId& surface, const Vec3& direction);
+[[nodiscard]] SurfacePoint surface_point_at(const Scene& scene, const SurfaceId& surface,
+                                            const Vec3& direction);
 
 }  // namespace common

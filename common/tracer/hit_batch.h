@@ -10,12 +10,13 @@
 
 namespace common {
 
-/// Arrivals of photons on diffuse surfaces, structure of arrays, in an order that depends on the photons alone.
-/// Each arrival is recorded before its own reflection: `flux` is what the photon carries towards the surface.
+/// Arrivals of photons on diffuse surfaces, structure of arrays, in an order that depends on the photons
+/// alone. Each arrival is recorded before its own reflection: `flux` is what the photon carries towards the
+/// surface.
 struct HitBatch {
-    std::vector<Vec3> position;      ///< world units, on the surface
-    std::vector<Vec3> direction;     ///< unit, the way the photon travels: towards the surface
-    std::vector<Rgb> flux;           ///< W times the number of photons emitted in the whole run
+    std::vector<Vec3> position;   ///< world units, on the surface
+    std::vector<Vec3> direction;  ///< unit, the way the photon travels: towards the surface
+    std::vector<Rgb> flux;        ///< W times the number of photons emitted in the whole run
     std::vector<SurfaceId> surface;
 
     [[nodiscard]] std::size_t size() const { return position.size(); }
@@ -48,9 +49,9 @@ struct HitBatch {
     return hits;
 }
 
-/// Takes the hits of a run, wave after wave. Waves come in the order of their photons, one at a time, and the views are
-/// valid during the call only. A sink may use oneTBB inside; what it has stored in the end must not depend on how the
-/// batches were cut into waves or on the number of threads.
+/// Takes the hits of a run, wave after wave. Waves come in the order of their photons, one at a time, and the
+/// views are valid during the call only. A sink may use oneTBB inside; what it has stored in the end must not
+/// depend on how the batches were cut into waves or on the number of threads.
 template <class S>
 concept PhotonSink = requires(S& sink, std::span<const HitBatch> wave) {
     { sink.consume(wave) } -> std::same_as<void>;
@@ -58,6 +59,8 @@ concept PhotonSink = requires(S& sink, std::span<const HitBatch> wave) {
 
 /// A sink that becomes a map which can be asked for irradiance. `watts_per_flux` turns HitBatch::flux into W.
 template <class S>
-concept MapSink = PhotonSink<S> && requires(S sink, float watts_per_flux) { std::move(sink).finish(watts_per_flux); };
+concept MapSink = PhotonSink<S> && requires(S sink, float watts_per_flux) {
+    std::move(sink).finish(watts_per_flux);
+};
 
 }  // namespace common

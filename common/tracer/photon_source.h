@@ -66,7 +66,8 @@ class PhotonSource {
     const Scene* scene_;
     std::vector<Emitter> emitters_;
     std::vector<float> probability_;  ///< of choosing each emitter
-    std::vector<double> cumulative_;  ///< sum of powers up to and with each emitter, mean over the channels, W
+    std::vector<double>
+        cumulative_;  ///< sum of powers up to and with each emitter, mean over the channels, W
     Rgb power_{0, 0, 0};
 };
 

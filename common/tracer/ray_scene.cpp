@@ -25,8 +25,12 @@ void check(RTCDevice device) {
 
 }  // namespace
 
-void RayScene::Release::operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
-void RayScene::Release::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
+void RayScene::Release::operator()(RTCDeviceTy* device) const {
+    rtcReleaseDevice(device);
+}
+void RayScene::Release::operator()(RTCSceneTy* scene) const {
+    rtcReleaseScene(scene);
+}
 
 RayScene::RayScene(const Scene& scene)
     : scene_(&scene),
@@ -40,8 +44,8 @@ RayScene::RayScene(const Scene& scene)
 
     const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     // Embree reads past the last vertex in whole SSE registers, so it gets a padded copy of its own.
-    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3),
-                                             scene.position.size());
+    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                             sizeof(Vec3), scene.position.size());
     void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                             sizeof(TriangleVertices), scene.triangle.size());
     check(device_.get());

@@ -19,8 +19,8 @@ class RayScene {
     /// Nearest surface from `origin` along `direction` (unit), if there is one.
     [[nodiscard]] std::optional<SurfaceId> nearest(const Vec3& origin, const Vec3& direction) const;
 
-    /// `position`, on a surface with unit normal `normal`, moved off it along `normal` by as much as rounding may have
-    /// put it on the wrong side: rays that leave towards that side start here.
+    /// `position`, on a surface with unit normal `normal`, moved off it along `normal` by as much as rounding
+    /// may have put it on the wrong side: rays that leave towards that side start here.
     [[nodiscard]] Vec3 off_surface(const Vec3& position, const Vec3& normal) const {
         return position + normal * offset_;
     }

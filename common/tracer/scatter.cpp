@@ -19,7 +19,8 @@ float fresnel_reflectance(float cos_incident, float eta) {
     if (sin_transmitted_sq >= 1) return 1;
     const float cos_transmitted = std::sqrt(1 - sin_transmitted_sq);
     const float parallel = (cos_incident - eta * cos_transmitted) / (cos_incident + eta * cos_transmitted);
-    const float perpendicular = (eta * cos_incident - cos_transmitted) / (eta * cos_incident + cos_transmitted);
+    const float perpendicular =
+        (eta * cos_incident - cos_transmitted) / (eta * cos_incident + cos_transmitted);
     return 0.5f * (parallel * parallel + perpendicular * perpendicular);
 }
 
@@ -41,10 +42,11 @@ std::optional<ScatteredPhoton> scatter(const Scene& scene, const SurfaceId& surf
     if (!survived) return std::nullopt;
 
     if (material.kind == SurfaceKind::diffuse)
-        return ScatteredPhoton{Frame(normal).to_world(sample_cosine_hemisphere(u[1], u[2])), normal, *survived};
+        return ScatteredPhoton{Frame(normal).to_world(sample_cosine_hemisphere(u[1], u[2])), normal,
+                               *survived};
 
-    // Specular surfaces follow the smooth normal, so that a faceted sphere focuses like a round one, unless that would
-    // send the photon through the wrong side.
+    // Specular surfaces follow the smooth normal, so that a faceted sphere focuses like a round one, unless
+    // that would send the photon through the wrong side.
     Vec3 smooth = smooth_normal_at(scene, surface) * (front ? 1.0f : -1.0f);
     if (smooth.dot(direction) >= 0) smooth = normal;
 
@@ -52,7 +54,8 @@ std::optional<ScatteredPhoton> scatter(const Scene& scene, const SurfaceId& surf
         const float eta = front ? 1 / material.index_of_refraction : material.index_of_refraction;
         if (u[3] >= fresnel_reflectance(-direction.dot(smooth), eta)) {
             const std::optional<Vec3> refracted = refract(direction, smooth, eta);
-            if (refracted && refracted->dot(normal) < 0) return ScatteredPhoton{*refracted, -normal, *survived};
+            if (refracted && refracted->dot(normal) < 0)
+                return ScatteredPhoton{*refracted, -normal, *survived};
         }
     }
     Vec3 reflected = reflect(direction, smooth);

@@ -16,17 +16,17 @@ struct ScatteredPhoton {
 
 /// Reflects, refracts or absorbs (nothing returned) a photon that travels along `direction` with `flux`.
 ///
-/// Absorption is Russian roulette: the photon survives with the reflected fraction of its brightest channel and keeps
-/// that channel's flux, so that every channel is right on average and no photon grows.
-/// Diffuse surfaces reflect on both faces around the geometric normal: a normal map bends what is gathered, not the
+/// Absorption is Russian roulette: the photon survives with the reflected fraction of its brightest channel
+/// and keeps that channel's flux, so that every channel is right on average and no photon grows. Diffuse
+/// surfaces reflect on both faces around the geometric normal: a normal map bends what is gathered, not the
 /// light's way, which keeps the scene's energy.
 /// `u` holds uniform numbers: [0] roulette, [1], [2] direction, [3] reflection or refraction.
 [[nodiscard]] std::optional<ScatteredPhoton> scatter(const Scene& scene, const SurfaceId& surface,
                                                      const Vec3& direction, const Rgb& flux,
                                                      const std::array<float, 4>& u);
 
-/// Fraction of unpolarised light that a smooth boundary reflects (Fresnel). `cos_incident` > 0; `eta` is the index of
-/// the side that the light comes from over that of the other.
+/// Fraction of unpolarised light that a smooth boundary reflects (Fresnel). `cos_incident` > 0; `eta` is the
+/// index of the side that the light comes from over that of the other.
 [[nodiscard]] float fresnel_reflectance(float cos_incident, float eta);
 
 /// `direction` mirrored at a surface with unit `normal`; both senses of the normal do.
@@ -34,8 +34,8 @@ struct ScatteredPhoton {
     return direction - normal * (2 * direction.dot(normal));
 }
 
-/// `direction` bent at a boundary (Snell), or nothing where it is totally reflected. `normal` is unit and faces against
-/// `direction`; `eta` as in fresnel_reflectance.
+/// `direction` bent at a boundary (Snell), or nothing where it is totally reflected. `normal` is unit and
+/// faces against `direction`; `eta` as in fresnel_reflectance.
 [[nodiscard]] std::optional<Vec3> refract(const Vec3& direction, const Vec3& normal, float eta);
 
 }  // namespace common

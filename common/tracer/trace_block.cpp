@@ -20,7 +20,8 @@ std::vector<Photon> emit_block(const PhotonSource& source, const RayScene& rays,
     for (std::uint64_t i = 0; i < photons_per_block; ++i) {
         const std::uint64_t index = block * photons_per_block + i;
         const EmittedPhoton emitted = source.emit(seed, index);
-        photons.push_back({index, rays.off_surface(emitted.origin, emitted.normal), emitted.direction, emitted.flux});
+        photons.push_back(
+            {index, rays.off_surface(emitted.origin, emitted.normal), emitted.direction, emitted.flux});
     }
     return photons;
 }
@@ -36,8 +37,8 @@ PhotonFates& PhotonFates::operator+=(const PhotonFates& other) {
     return *this;
 }
 
-PhotonFates trace_block(const RayScene& rays, const PhotonSource& source, std::uint64_t seed, std::uint64_t block,
-                        HitBatch& hits) {
+PhotonFates trace_block(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
+                        std::uint64_t block, HitBatch& hits) {
     const Scene& scene = rays.scene();
     hits.clear();
     PhotonFates fates{.emitted = photons_per_block};

@@ -16,17 +16,17 @@ inline constexpr std::uint32_t max_events = 4096;
 /// How the photons of a block, or of a run, ended. Every emitted photon is in exactly one of the last four.
 struct PhotonFates {
     std::uint64_t emitted = 0;
-    std::uint64_t missed = 0;     ///< met no surface at all
-    std::uint64_t escaped = 0;    ///< left the scene after meeting a surface
+    std::uint64_t missed = 0;   ///< met no surface at all
+    std::uint64_t escaped = 0;  ///< left the scene after meeting a surface
     std::uint64_t absorbed = 0;
-    std::uint64_t given_up = 0;   ///< at max_events
+    std::uint64_t given_up = 0;  ///< at max_events
 
     PhotonFates& operator+=(const PhotonFates& other);
 };
 
-/// Traces the photons of block `block` of the run with this seed. `hits` is emptied and filled in, ordered by event
-/// number and then by photon.
-PhotonFates trace_block(const RayScene& rays, const PhotonSource& source, std::uint64_t seed, std::uint64_t block,
-                        HitBatch& hits);
+/// Traces the photons of block `block` of the run with this seed. `hits` is emptied and filled in, ordered by
+/// event number and then by photon.
+PhotonFates trace_block(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
+                        std::uint64_t block, HitBatch& hits);
 
 }  // namespace common

@@ -24,8 +24,9 @@ std::size_t blocks_in_next_wave(const TraceReport& so_far, const TraceTarget& ta
 void check_that_photons_hit(const TraceReport& so_far, const TraceTarget& target) {
     constexpr std::uint64_t patience = 1 << 20;
     if (target.hits > 0 && so_far.hits == 0 && so_far.fates.emitted >= patience)
-        throw InputError(fmt::format("the first {} photons hit no diffuse surface: no number of hits can be reached",
-                                     so_far.fates.emitted));
+        throw InputError(
+            fmt::format("the first {} photons hit no diffuse surface: no number of hits can be reached",
+                        so_far.fates.emitted));
 }
 
 }  // namespace common

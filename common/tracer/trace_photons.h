@@ -10,7 +10,8 @@
 
 namespace common {
 
-/// When a run is long enough: at the first whole block that reaches the numbers asked for. Zero: not asked for.
+/// When a run is long enough: at the first whole block that reaches the numbers asked for. Zero: not asked
+/// for.
 struct TraceTarget {
     std::uint64_t photons = 0;
     std::uint64_t hits = 0;
@@ -32,12 +33,12 @@ struct TraceReport {
 /// Called between waves with what is done so far; returns false to end the run there.
 using TraceProgress = std::function<bool(const TraceReport& so_far)>;
 
-/// Blocks traced between two calls of the sink, at most: enough to keep every thread busy, few enough for the hits to
-/// stay in cache until the sink reads them.
+/// Blocks traced between two calls of the sink, at most: enough to keep every thread busy, few enough for the
+/// hits to stay in cache until the sink reads them.
 inline constexpr std::size_t max_blocks_per_wave = 64;
 
-/// How many blocks the next wave should have so as not to trace much more than the target needs. Costs time only when
-/// wrong: the run ends at the same block for any size of wave.
+/// How many blocks the next wave should have so as not to trace much more than the target needs. Costs time
+/// only when wrong: the run ends at the same block for any size of wave.
 [[nodiscard]] std::size_t blocks_in_next_wave(const TraceReport& so_far, const TraceTarget& target);
 
 /// Throws InputError where so many photons have met nothing that the target will not be reached.
@@ -45,11 +46,11 @@ void check_that_photons_hit(const TraceReport& so_far, const TraceTarget& target
 
 /// Traces photons 0, 1, 2, ... of the run with this seed and gives their hits to `sink`.
 ///
-/// The hits, their order and the report's counts depend on the scene, the seed and the target alone. Uses the threads
-/// of the calling arena (see ThreadPool).
+/// The hits, their order and the report's counts depend on the scene, the seed and the target alone. Uses the
+/// threads of the calling arena (see ThreadPool).
 template <PhotonSink Sink>
-TraceReport trace_photons(const RayScene& rays, const PhotonSource& source, std::uint64_t seed, TraceTarget target,
-                          Sink& sink, const TraceProgress& progress = {}) {
+TraceReport trace_photons(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
+                          TraceTarget target, Sink& sink, const TraceProgress& progress = {}) {
     using Clock = std::chrono::steady_clock;
     const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
     const auto reached = [&](const TraceReport& r) {

@@ -8,8 +8,8 @@ namespace {
 
 constexpr float automatic_fov = 1.0471976f;  // 60 degrees
 
-/// Viewpoints as fractions of the half extents around the bounds' centre: towards the corners and sides of a box, at two
-/// heights, inside and out.
+/// Viewpoints as fractions of the half extents around the bounds' centre: towards the corners and sides of a
+/// box, at two heights, inside and out.
 std::vector<Vec3> viewpoints(const Imath::Box3f& bounds) {
     std::vector<Vec3> eyes;
     const Vec3 center = bounds.center(), half = bounds.size() * 0.5f;
@@ -25,8 +25,8 @@ std::vector<Vec3> viewpoints(const Imath::Box3f& bounds) {
     return eyes;
 }
 
-/// What a small image from there would show: the share of pixels with front faces, times the mean of how far they are
-/// (a wall before the eye shows nothing), levelled off at the scene's size.
+/// What a small image from there would show: the share of pixels with front faces, times the mean of how far
+/// they are (a wall before the eye shows nothing), levelled off at the scene's size.
 double score(const RayScene& rays, const Camera& camera) {
     constexpr int width = 32, height = 18;
     const Scene& scene = rays.scene();
@@ -40,7 +40,8 @@ double score(const RayScene& rays, const Camera& camera) {
             const bool front = direction.dot(scene.geometric_normal[surface->triangle]) < 0;
             if (!front && !scene.material_of(surface->triangle).double_sided) continue;
             seen += 1;
-            distance += std::min(1.0f, (position_at(scene, *surface) - camera.eye).length() / (0.5f * scene.diagonal()));
+            distance += std::min(
+                1.0f, (position_at(scene, *surface) - camera.eye).length() / (0.5f * scene.diagonal()));
         }
     return seen == 0 ? 0 : seen / (width * height) * (distance / seen);
 }

@@ -38,7 +38,8 @@ VisibleSurface look(const RayScene& rays, Vec3 origin, Vec3 direction) {
         if (material.kind == SurfaceKind::diffuse) {
             seen.present = true;
             seen.reflectance = base_color_at(scene, *surface);
-            if (seen.point.front || material.double_sided) seen.emitted = emitted_radiance_at(scene, *surface);
+            if (seen.point.front || material.double_sided)
+                seen.emitted = emitted_radiance_at(scene, *surface);
             return seen;
         }
         seen.throughput *= base_color_at(scene, *surface);
@@ -51,7 +52,8 @@ VisibleSurface look(const RayScene& rays, Vec3 origin, Vec3 direction) {
 
 }  // namespace
 
-std::vector<VisibleSurface> visible_surfaces(const RayScene& rays, const Camera& camera, int width, int height) {
+std::vector<VisibleSurface> visible_surfaces(const RayScene& rays, const Camera& camera, int width,
+                                             int height) {
     const CameraRays view(camera, width, height);
     std::vector<VisibleSurface> seen(static_cast<std::size_t>(width) * height);
     tbb::parallel_for(0, height, [&](int y) {

@@ -9,15 +9,17 @@ namespace common {
 
 /// The diffuse surface seen through one pixel's centre, directly or by way of mirrors and glass.
 struct VisibleSurface {
-    bool present = false;   ///< false: the pixel sees the sky, or nothing
+    bool present = false;  ///< false: the pixel sees the sky, or nothing
     SurfacePoint point;
     Rgb throughput{1, 1, 1};   ///< what mirrors and glass on the way let through
     Rgb reflectance{0, 0, 0};  ///< of the surface: radiance = reflectance / pi * irradiance
-    Rgb emitted{0, 0, 0};      ///< W/(m^2 sr) towards the camera by the surface, or by the sky where none is present
+    Rgb emitted{0, 0,
+                0};  ///< W/(m^2 sr) towards the camera by the surface, or by the sky where none is present
 };
 
-/// Row by row from the top left pixel. Glass is looked through; its own reflection is shown only where it is total.
-[[nodiscard]] std::vector<VisibleSurface> visible_surfaces(const RayScene& rays, const Camera& camera, int width,
-                                                           int height);
+/// Row by row from the top left pixel. Glass is looked through; its own reflection is shown only where it is
+/// total.
+[[nodiscard]] std::vector<VisibleSurface> visible_surfaces(const RayScene& rays, const Camera& camera,
+                                                           int width, int height);
 
 }  // namespace common

@@ -20,7 +20,7 @@ TangentFrame tangent_frame_at(const Scene& scene, const SurfaceId& surface, cons
         const Vec3 edge1 = scene.position[b] - scene.position[a],
                    edge2 = scene.position[c] - scene.position[a];
         const float determinant = duv1.x * duv2.y - duv1.y * duv2.x;
-        if (determinant == 0) return {};
+        if (determinant == 0) return {Vec3(0, 0, 0), Vec3(0, 0, 0)};  // Imath leaves {} uninitialised
         tangent = (edge1 * duv2.y - edge2 * duv1.y) * std::copysign(1.0f, determinant);
         sign = -std::copysign(1.0f, determinant);  // glTF's v points down, its bitangent up
     }

@@ -51,19 +51,26 @@ bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable
     PreparedMethods prepared(loaded, plan.settings);
     print_warnings(loaded, prepared, true);
     const CompareScene scene{loaded, source, queries, prepared};
+    bool anything_new = false;
     for (std::uint64_t hits : plan.hits) {
-        const SizeResult result = compare_size(plan, scene, hits);
+        std::vector<std::string> methods;
+        std::copy_if(plan.methods.begin(), plan.methods.end(), std::back_inserter(methods),
+                     [&](const std::string& method) { return !table.has(loaded.name, method, hits); });
+        if (methods.empty()) continue;
+        const SizeResult result = compare_size(plan, scene, methods, hits);
         table.add(result.rows);
         if (result.interrupted) return false;
+        anything_new = true;
     }
-    draw_images(plan, scene, table.rows());
+    if (anything_new) draw_images(plan, scene, table.rows());
     return !common::interrupted();
 }
 
 /// Draws the charts with the project's Python script.
 void draw_charts(const ComparePlan& plan) {
     const std::string command =
-        fmt::format("/usr/bin/python3 '{}/bench/report/charts.py' '{}'", source_folder, plan.out.string());
+        fmt::format("/usr/bin/python3 '{}/bench/report/charts.py' '{}'",
+                                           source_folder, plan.out.string());
     if (std::system(command.c_str()) != 0)
         fmt::print(stderr, "compare: the charts could not be drawn; the table is complete\n");
 }

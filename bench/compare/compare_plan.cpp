@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <set>
 
-#include "bench/compare/memory_need.h"
 #include "bench/compare/output_folder.h"
 #include "common/core/input_error.h"
 

@@ -18,11 +18,12 @@ struct CompareScene {
 };
 
 struct SizeResult {
-    std::vector<nlohmann::ordered_json> rows;  ///< one per method, run or skipped
+    std::vector<nlohmann::ordered_json> rows;  ///< one per method, measured or skipped
     bool interrupted = false;  ///< the user ended it: rows have whole repetitions only, maybe none
 };
 
-/// Runs the plan's methods interleaved, each repetition beginning with another one, next to the null sink.
-[[nodiscard]] SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene, std::uint64_t hits);
+/// Runs the methods interleaved, each repetition beginning with another one, next to the null sink.
+[[nodiscard]] SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
+                                      const std::vector<std::string>& methods, std::uint64_t hits);
 
 }  // namespace bench

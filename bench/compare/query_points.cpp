@@ -9,7 +9,7 @@ namespace bench {
 
 QueryPoints visible_query_points(const LoadedScene& scene, std::uint64_t seed) {
     QueryPoints points;
-    for (const common::VisibleSurface& pixel : common::visible_surfaces(scene.rays, scene.camera, 128, 72))
+    for (const common::VisibleSurface& pixel : common::visible_surfaces(scene.rays, scene.camera, 96, 54))
         if (pixel.present) points.image_order.push_back(pixel.point);
     if (points.image_order.empty())
         throw common::InputError(scene.scene.source +

@@ -14,7 +14,7 @@ struct QueryPoints {
     std::vector<common::SurfacePoint> shuffled;
 };
 
-/// The points behind a grid of 128 x 72 pixels. Throws InputError where the camera sees no diffuse surface.
+/// The points behind a grid of 96 x 54 pixels. Throws InputError where the camera sees no diffuse surface.
 [[nodiscard]] QueryPoints visible_query_points(const LoadedScene& scene, std::uint64_t seed);
 
 }  // namespace bench

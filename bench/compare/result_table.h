@@ -7,9 +7,14 @@
 
 namespace bench {
 
+/// Begins with what an earlier run of the same commit, machine, seed and settings has left in the folder, so that a
+/// comparison can be stopped and gone on with, or extended by scenes and sizes.
 class ResultTable {
   public:
     explicit ResultTable(const ComparePlan& plan);
+
+    /// Whether the row is there already.
+    [[nodiscard]] bool has(const std::string& scene, const std::string& method, std::uint64_t hits) const;
 
     /// Appends the rows and writes both files anew: what is finished survives whatever comes.
     void add(const std::vector<nlohmann::ordered_json>& rows);

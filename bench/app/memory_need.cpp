@@ -1,4 +1,4 @@
-#include "bench/compare/memory_need.h"
+#include "bench/app/memory_need.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +13,10 @@ constexpr double flann_incremental_bytes = 96;  // 75, and FLANN's array of poin
 constexpr double texel_bytes = sizeof(shlm::TexelSum) + sizeof(shlm::TexelGeometry) + sizeof(shlm::Texel) +
                                2 * sizeof(common::Vec3) + flann_bytes;
 constexpr double wave_bytes = 64e6;  // hits on their way to a store
+
+double gibibytes(std::size_t bytes) {
+    return static_cast<double>(bytes) * 0x1p-30;
+}
 
 }  // namespace
 
@@ -30,11 +34,11 @@ std::size_t needed_bytes(std::string_view method, const MethodSettings& settings
 
 std::string reason_to_skip(std::string_view method, const MethodSettings& settings, std::uint64_t hits,
                            std::size_t max_bytes) {
+    const std::size_t needed = needed_bytes(method, settings, hits);
+    if (needed > max_bytes) return fmt::format("needs {:.1f} GiB", gibibytes(needed));
     if (method.starts_with("photonmap/flann") && hits > common::max_flann_points - (1u << 20))
         return fmt::format("FLANN holds at most {} points", common::max_flann_points);
-    const std::size_t needed = needed_bytes(method, settings, hits);
-    if (needed <= max_bytes) return "";
-    return fmt::format("needs {:.1f} GiB", static_cast<double>(needed) * 0x1p-30);
+    return "";
 }
 
 std::size_t default_max_bytes() {

@@ -1,0 +1,56 @@
+"""What `shlmbench compare` has measured, read back."""
+
+import json
+from collections import defaultdict
+from pathlib import Path
+
+PHOTON_MAP = "photonmap/flann"
+INCREMENTAL = "photonmap/flann-incremental"
+LIGHT_MAP = "shlm"
+LIGHT_MAP_FLUX = "shlm/flux"
+
+
+class Comparison:
+    """The rows of one compare.json, by scene, method and number of hits asked for."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+        with open(self.folder / "compare.json", encoding="utf-8") as file:
+            document = json.load(file)
+        self.context = document["context"]
+        self.rows = document["rows"]
+        self._measured = defaultdict(dict)
+        for row in self.rows:
+            if "skipped" not in row:
+                self._measured[row["scene"], row["method"]][row["hits_asked"]] = row
+
+    @property
+    def scenes(self):
+        return list(dict.fromkeys(row["scene"] for row in self.rows))
+
+    @property
+    def methods(self):
+        return list(dict.fromkeys(row["method"] for row in self.rows))
+
+    def series(self, scene, method):
+        """Measured rows in ascending order of hits."""
+        by_hits = self._measured[scene, method]
+        return [by_hits[hits] for hits in sorted(by_hits)]
+
+    def pairs(self, scene, method, other):
+        """(row of method, row of other) for every number of hits that both were measured at."""
+        mine, theirs = self._measured[scene, method], self._measured[scene, other]
+        return [(mine[hits], theirs[hits]) for hits in sorted(mine.keys() & theirs.keys())]
+
+
+def map_seconds(row):
+    """From the first photon to a map that can be asked: trace, insert, build."""
+    return row["trace_and_insert_seconds"] + row["build_seconds"]
+
+
+def count_text(number):
+    """12345678 -> '12.3 M'"""
+    for unit, name in ((1e9, "G"), (1e6, "M"), (1e3, "k")):
+        if number >= unit:
+            return f"{number / unit:.3g} {name}"
+    return f"{number:.3g}"

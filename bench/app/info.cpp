@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bench/app/memory_need.h"
 #include "bench/app/methods.h"
 
 namespace bench {
@@ -93,6 +94,7 @@ void run(const InfoOptions& options) {
     settings.shlm.texels = parse_count("--texels", options.texels);
     const LoadedScene loaded(options.file, options.scene);
     PreparedMethods prepared(loaded, settings);
+    require_memory("shlm", settings, 0, default_max_bytes());
     const Json all = facts(loaded, prepared);
     if (options.json) {
         fmt::print("{}\n", all.dump(2));

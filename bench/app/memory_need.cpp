@@ -41,6 +41,14 @@ std::string reason_to_skip(std::string_view method, const MethodSettings& settin
     return "";
 }
 
+void require_memory(std::string_view method, const MethodSettings& settings, std::uint64_t hits,
+                    std::size_t max_bytes) {
+    const std::string reason = reason_to_skip(method, settings, hits, max_bytes);
+    if (!reason.empty())
+        throw common::InputError(
+            fmt::format("{}: {}, {:.1f} GiB are free for it", method, reason, gibibytes(max_bytes)));
+}
+
 std::size_t default_max_bytes() {
     return common::available_bytes() / 10 * 9;
 }

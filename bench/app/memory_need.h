@@ -18,6 +18,11 @@ namespace bench {
 [[nodiscard]] std::string reason_to_skip(std::string_view method, const MethodSettings& settings,
                                          std::uint64_t hits, std::size_t max_bytes);
 
+/// Throws InputError where a run of this size cannot be had: "METHOD: needs 67.1 GiB, 19.8 GiB are free for
+/// it".
+void require_memory(std::string_view method, const MethodSettings& settings, std::uint64_t hits,
+                    std::size_t max_bytes);
+
 /// Nine tenths of the memory that is free now: the rest is for the scene and for everybody else.
 [[nodiscard]] std::size_t default_max_bytes();
 

@@ -25,8 +25,9 @@ MethodSettings MethodOptions::settings() const {
         throw common::InputError("--k: from 2 to 100000; one photon has no density");
     if (gather_texels < 1 || gather_texels > most_neighbours)
         throw common::InputError("--gather-texels: from 1 to 100000");
-    if (!(max_radius >= 0)) throw common::InputError("--max-radius: must not be negative");
-    if (!(cone == 0 || cone >= 1)) throw common::InputError("--cone: the slope is at least 1");
+    if (!(max_radius >= 0 && max_radius <= 1e9)) throw common::InputError("--max-radius: from 0 to 1e9");
+    if (!(cone == 0 || (cone >= 1 && cone <= 1e9)))
+        throw common::InputError("--cone: 0, or a slope from 1 to 1e9");
     MethodSettings settings;
     settings.photonmap = {k, static_cast<float>(max_radius), static_cast<float>(cone)};
     settings.shlm = {parse_count("--texels", texels),

@@ -26,12 +26,17 @@ const shlm::PreparedTexels& PreparedMethods::texels() {
     return *texels_;
 }
 
-std::string full_method_name(const std::string& name) {
+std::string full_method_name(const std::string& option, const std::string& name) {
     if (name == "photonmap") return "photonmap/flann";
     if (std::find(method_names.begin(), method_names.end(), name) == method_names.end())
         throw common::InputError(
-            fmt::format("--method: '{}' is not one of {}", name, fmt::join(method_names, ", ")));
+            fmt::format("{}: '{}' is not one of {}", option, name, fmt::join(method_names, ", ")));
     return name;
+}
+
+MethodSettings settings_of(std::string_view method, MethodSettings settings) {
+    if (method == "shlm/flux") settings.shlm.weight = shlm::ShWeight::flux;
+    return settings;
 }
 
 }  // namespace bench

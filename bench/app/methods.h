@@ -48,20 +48,22 @@ class PreparedMethods {
     std::optional<shlm::PreparedTexels> texels_;
 };
 
-/// "photonmap" is short for "photonmap/flann". Throws InputError, naming the known ones, for any other name.
-[[nodiscard]] std::string full_method_name(const std::string& name);
+/// "photonmap" is short for "photonmap/flann". Throws InputError, naming the option and the known methods,
+/// for any other name.
+[[nodiscard]] std::string full_method_name(const std::string& option, const std::string& name);
+
+/// The settings as the method takes them: shlm/flux brings its own weight.
+[[nodiscard]] MethodSettings settings_of(std::string_view method, MethodSettings settings);
 
 /// Calls `work` with a fresh, empty sink of the method. `method` is a full name.
 template <class Work>
 auto with_sink(std::string_view method, PreparedMethods& prepared, Work work) {
     const common::Scene& scene = prepared.scene();
-    const MethodSettings& settings = prepared.settings();
+    const MethodSettings settings = settings_of(method, prepared.settings());
     if (method == "photonmap/flann") return work(photonmap::FlannPhotonSink(scene, settings.photonmap));
     if (method == "photonmap/flann-incremental")
         return work(photonmap::FlannIncrementalPhotonSink(scene, settings.photonmap));
-    shlm::Settings light_map = settings.shlm;
-    if (method == "shlm/flux") light_map.weight = shlm::ShWeight::flux;
-    return work(shlm::Sink(prepared.texels(), light_map));
+    return work(shlm::Sink(prepared.texels(), settings.shlm));
 }
 
 }  // namespace bench

@@ -1,9 +1,11 @@
 #include "bench/app/render.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 
+#include "bench/app/memory_need.h"
 #include "bench/app/method_options.h"
 #include "bench/app/provenance.h"
 #include "bench/app/run_options.h"
@@ -42,15 +44,38 @@ void check_output(const RenderOptions& options) {
     const std::filesystem::path out(options.out);
     if (out.extension() != ".exr") throw common::InputError("--out: the image is an .exr file");
     const auto folder = out.has_parent_path() ? out.parent_path() : std::filesystem::path(".");
-    if (!std::filesystem::is_directory(folder))
+    std::error_code ignored;  // a path that cannot be looked at is no folder either
+    if (!std::filesystem::is_directory(folder, ignored))
         throw common::InputError(fmt::format("--out: there is no folder {}", folder.string()));
+    if (access(folder.c_str(), W_OK) != 0)
+        throw common::InputError(fmt::format("--out: {} cannot be written to", folder.string()));
+    if (std::filesystem::is_directory(out, ignored))
+        throw common::InputError(fmt::format("--out: {} is a folder", out.string()));
     if (options.width < 1 || options.height < 1 || options.width > 16384 || options.height > 16384)
         throw common::InputError("--width and --height: from 1 to 16384");
 }
 
-Rendering trace_and_gather(const RenderOptions& options, const LoadedScene& loaded, PreparedMethods& prepared,
-                           const common::TraceTarget& target) {
-    const common::PhotonSource source(loaded.scene);
+/// Memory that is free for the method beside the image.
+std::size_t max_map_bytes(const RenderOptions& options) {
+    constexpr std::size_t pixel_bytes = sizeof(common::VisibleSurface) + 16 * sizeof(float);
+    const std::size_t free = default_max_bytes();
+    return free - std::min(free, pixel_bytes * options.width * options.height);
+}
+
+/// Hits of the whole run, as far as one can tell: what --photons gives is known only when some are traced.
+std::uint64_t expected_hits(const common::TraceReport& so_far, const common::TraceTarget& target) {
+    if (target.hits > 0) return target.hits;
+    return static_cast<std::uint64_t>(static_cast<double>(so_far.hits) * static_cast<double>(target.photons) /
+                                      static_cast<double>(so_far.fates.emitted));
+}
+
+void stop_if_interrupted() {
+    if (common::interrupted()) throw Interrupted("render stopped: no image is written");
+}
+
+Rendering trace_and_gather(const RenderOptions& options, const LoadedScene& loaded,
+                           const common::PhotonSource& source, PreparedMethods& prepared,
+                           const common::TraceTarget& target, std::size_t max_bytes) {
     const auto pixels = common::visible_surfaces(loaded.rays, loaded.camera, options.width, options.height);
     return with_sink(options.method, prepared, [&](auto sink) {
         common::Progress progress("tracing", target.hits ? "hits" : "photons",
@@ -58,26 +83,34 @@ Rendering trace_and_gather(const RenderOptions& options, const LoadedScene& load
         const auto trace = common::trace_photons(
             loaded.rays, source, options.run.seed, target, sink, [&](const common::TraceReport& so_far) {
                 progress.show(target.hits ? so_far.hits : so_far.fates.emitted);
+                require_memory(options.method, prepared.settings(), expected_hits(so_far, target), max_bytes);
                 return !common::interrupted();
             });
+        stop_if_interrupted();
         const common::RejectedHits rejected = sink.rejected();
         const auto map = common::finish_map(std::move(sink), trace);
+        stop_if_interrupted();
         return Rendering{common::render(pixels, options.width, options.height, map), trace, rejected};
     });
 }
 
 void run(RenderOptions options) {
-    options.method = full_method_name(options.method);
+    options.method = full_method_name("--method", options.method);
     const common::TraceTarget target = target_of(options);
     check_output(options);
-    const MethodSettings settings = options.methods.settings();
+    const MethodSettings settings = settings_of(options.method, options.methods.settings());
+    const std::size_t max_bytes = max_map_bytes(options);
+    require_memory(options.method, settings, target.hits, max_bytes);
     common::ThreadPool pool(options.run.thread_count());
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
+        const common::PhotonSource source(loaded.scene);
         PreparedMethods prepared(loaded, settings);
-        print_warnings(loaded, prepared, options.method == "shlm");
-        const Rendering made = trace_and_gather(options, loaded, prepared, target);
-        if (made.trace.interrupted) throw Interrupted("render stopped: no image is written");
+        const bool light_map = options.method.starts_with("shlm");
+        if (light_map) (void)prepared.texels();  // what cannot be done is said before what is doubtful
+        print_warnings(loaded, prepared, light_map);
+        const Rendering made = trace_and_gather(options, loaded, source, prepared, target, max_bytes);
+        stop_if_interrupted();
 
         common::ImageNotes notes = provenance_notes();
         notes["shlmbench:scene"] = loaded.name;
@@ -102,7 +135,9 @@ void add_render_command(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("render", "Draw a scene with one method: half-float EXR and tone-mapped PNG");
     command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
-    command->add_option("--method", options->method, "photonmap/flann, photonmap/flann-incremental or shlm")
+    command
+        ->add_option("--method", options->method,
+                     "photonmap/flann, photonmap/flann-incremental, shlm or shlm/flux")
         ->required();
     command->add_option("--hits", options->hits, "Trace until at least this many hits are stored, e.g. 1e6");
     command->add_option("--photons", options->photons, "Trace this many photons, rounded up to whole blocks");

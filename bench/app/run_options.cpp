@@ -8,7 +8,10 @@ namespace bench {
 
 void RunOptions::add_to(CLI::App& command) {
     command.add_option("--threads", threads, "0: all")->capture_default_str();
-    command.add_option("--seed", seed, "Another seed, other photons")->capture_default_str();
+    // CLI11 would take -1 for 2^64 - 1.
+    command.add_option("--seed", seed, "Another seed, other photons")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
 }
 
 int RunOptions::thread_count() const {

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <filesystem>
+#include <limits>
 #include <numbers>
 
 #include "common/core/input_error.h"
@@ -49,8 +50,9 @@ common::Camera choose_camera(const common::RayScene& rays, const SceneOptions& o
     if (!options.camera.empty()) {
         const auto n = parse_numbers("--camera", options.camera, 7);
         if (!(n[6] > 0 && n[6] < 180)) throw InputError("--camera: FOV must be between 0 and 180 degrees");
-        return common::look_at({n[0], n[1], n[2]}, {n[3], n[4], n[5]},
-                               n[6] * std::numbers::pi_v<float> / 180);
+        const Vec3 eye(n[0], n[1], n[2]), target(n[3], n[4], n[5]);
+        if (eye == target) throw InputError("--camera: EYE and TARGET are the same point");
+        return common::look_at(eye, target, n[6] * std::numbers::pi_v<float> / 180);
     }
     const auto& cameras = rays.scene().camera;
     return cameras.empty() ? common::place_camera(rays) : cameras.front();
@@ -75,7 +77,10 @@ std::vector<float> parse_numbers(const std::string& option, const std::string& t
     std::vector<float> numbers;
     std::string_view rest = text;
     while (true) {
-        numbers.push_back(static_cast<float>(take_number(option, rest)));
+        const double number = take_number(option, rest);
+        if (std::abs(number) > std::numeric_limits<float>::max())
+            throw InputError(fmt::format("{}: '{}' has a number that is too large", option, text));
+        numbers.push_back(static_cast<float>(number));
         if (rest.empty()) break;
         if (rest.front() != ',')
             throw InputError(fmt::format("{}: numbers are separated by commas in '{}'", option, text));

@@ -8,6 +8,7 @@
 #include "bench/app/provenance.h"
 #include "bench/compare/compare_plan.h"
 #include "bench/compare/compare_size.h"
+#include "bench/compare/output_folder.h"
 #include "bench/compare/result_table.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
@@ -20,10 +21,11 @@ namespace fs = std::filesystem;
 
 constexpr int image_width = 640, image_height = 360;
 
-/// Each method's picture at the most hits that it was run with, all with the same exposure.
+/// Each method's picture at the most hits that it was run with, all with the same exposure. Ends early where
+/// the user wants it to.
 void draw_images(const ComparePlan& plan, const CompareScene& scene, const nlohmann::ordered_json& rows) {
     const fs::path folder = plan.out / "images";
-    fs::create_directories(folder);
+    prepare_output_folder("--out", folder);
     const auto pixels =
         common::visible_surfaces(scene.loaded.rays, scene.loaded.camera, image_width, image_height);
     float exposure = 0;
@@ -33,9 +35,11 @@ void draw_images(const ComparePlan& plan, const CompareScene& scene, const nlohm
             if (row["scene"] == scene.loaded.name && row["method"] == method && !row.contains("skipped"))
                 hits = std::max(hits, row["hits_asked"].get<std::uint64_t>());
         if (hits == 0) continue;
-        const Workload workload{scene.loaded, scene.source, scene.queries, plan.seed, {.hits = hits}, {}};
+        const auto go_on = [](const common::TraceReport&) { return !common::interrupted(); };
+        const Workload workload{scene.loaded, scene.source, scene.queries, plan.seed, {.hits = hits}, go_on};
         const common::Image image =
             render_method(method, scene.prepared, workload, pixels, image_width, image_height);
+        if (common::interrupted()) return;
         if (exposure == 0) exposure = common::middle_grey_exposure(image);
         std::string name = method;
         std::replace(name.begin(), name.end(), '/', '-');
@@ -66,11 +70,20 @@ bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable
     return !common::interrupted();
 }
 
+/// Loads every scene but the first, which comes next anyway: one that cannot be used must not come to light
+/// after hours spent on those before it.
+void check_scenes(const ComparePlan& plan) {
+    for (const std::string& file : std::span(plan.files).subspan(1)) {
+        const LoadedScene loaded(file, plan.scene);
+        const common::PhotonSource source(loaded.scene);
+        (void)visible_query_points(loaded, plan.seed);
+    }
+}
+
 /// Draws the charts with the project's Python script.
 void draw_charts(const ComparePlan& plan) {
     const std::string command =
-        fmt::format("/usr/bin/python3 '{}/bench/report/charts.py' '{}'",
-                                           source_folder, plan.out.string());
+        fmt::format("/usr/bin/python3 '{}/bench/report/charts.py' '{}'", source_folder, plan.out.string());
     if (std::system(command.c_str()) != 0)
         fmt::print(stderr, "compare: the charts could not be drawn; the table is complete\n");
 }
@@ -79,6 +92,7 @@ void run(const CompareOptions& options) {
     const ComparePlan plan = make_plan(options);
     common::ThreadPool pool(plan.threads);
     pool.run([&] {
+        check_scenes(plan);
         ResultTable table(plan);
         for (const std::string& file : plan.files)
             if (!compare_scene(plan, file, table))

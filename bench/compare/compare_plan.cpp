@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "bench/app/memory_need.h"
 #include "bench/compare/output_folder.h"
 #include "common/core/input_error.h"
 
@@ -59,10 +60,17 @@ ComparePlan make_plan(const CompareOptions& options) {
                      .settings = options.method_options.settings(),
                      .threads = options.run.thread_count(),
                      .seed = options.run.seed};
-    if (plan.repetitions < 1) throw common::InputError("--repetitions: at least 1");
+    if (plan.repetitions < 1 || plan.repetitions > 10'000)
+        throw common::InputError("--repetitions: from 1 to 10000");
+    if (!(plan.seconds_per_size >= 0)) throw common::InputError("--seconds-per-size: must not be negative");
     for (const std::string& hits : options.hits) plan.hits.push_back(parse_count("--hits", hits));
     std::sort(plan.hits.begin(), plan.hits.end());
-    for (const std::string& method : options.methods) plan.methods.push_back(full_method_name(method));
+    plan.hits.erase(std::unique(plan.hits.begin(), plan.hits.end()), plan.hits.end());
+    for (const std::string& name : options.methods) {
+        const std::string method = full_method_name("--methods", name);
+        if (std::find(plan.methods.begin(), plan.methods.end(), method) == plan.methods.end())
+            plan.methods.push_back(method);
+    }
     prepare_output_folder("--out", plan.out);
     return plan;
 }

@@ -26,8 +26,8 @@ struct CompareOptions {
 
 struct ComparePlan {
     std::vector<std::string> files;
-    std::vector<std::uint64_t> hits;   ///< ascending
-    std::vector<std::string> methods;  ///< full names
+    std::vector<std::uint64_t> hits;   ///< ascending, each once
+    std::vector<std::string> methods;  ///< full names, each once
     std::filesystem::path out;         ///< exists and can be written to
     std::size_t max_bytes;
     std::size_t repetitions;

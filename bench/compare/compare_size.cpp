@@ -5,6 +5,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "bench/app/memory_need.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
@@ -71,8 +72,8 @@ bool run_once(const ComparePlan& plan, const CompareScene& scene, std::uint64_t 
 
 }  // namespace
 
-SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene, const std::vector<std::string>& methods,
-                        std::uint64_t hits) {
+SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
+                        const std::vector<std::string>& methods, std::uint64_t hits) {
     std::vector<RowInput> rows;
     for (const std::string& method : methods) rows.push_back(begin_row(plan, scene, method, hits));
 

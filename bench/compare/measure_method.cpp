@@ -82,6 +82,7 @@ common::Image render_method(std::string_view method, PreparedMethods& prepared, 
                             std::span<const common::VisibleSurface> pixels, int width, int height) {
     return with_sink(method, prepared, [&](auto sink) {
         const common::TraceReport trace = trace_into(sink, workload);
+        if (trace.interrupted) return common::Image{};
         return common::render(pixels, width, height, common::finish_map(std::move(sink), trace));
     });
 }

@@ -42,7 +42,7 @@ struct Workload {
 /// The same trace without a store.
 [[nodiscard]] common::TraceReport measure_null_sink(const Workload& workload);
 
-/// An untimed run of the method, and its picture.
+/// An untimed run of the method, and its picture; an empty one where the run was interrupted.
 [[nodiscard]] common::Image render_method(std::string_view method, PreparedMethods& prepared,
                                           const Workload& workload,
                                           std::span<const common::VisibleSurface> pixels, int width,

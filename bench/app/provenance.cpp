@@ -80,9 +80,11 @@ std::map<std::string, std::string> provenance_notes() {
 }
 
 std::string describe(const MethodSettings& settings) {
+    const std::string max_radius =
+        settings.photonmap.max_radius == 0 ? "auto" : fmt::format("{:g}", settings.photonmap.max_radius);
     return fmt::format(
-        "k={} max-radius={:g} cone={:g} texels={} sh-weight={} gather-texels={}", settings.photonmap.nearest,
-        settings.photonmap.max_radius, settings.photonmap.cone_slope, settings.shlm.texels,
+        "k={} max-radius={} cone={:g} texels={} sh-weight={} gather-texels={}", settings.photonmap.nearest,
+        max_radius, settings.photonmap.cone_slope, settings.shlm.texels,
         settings.shlm.weight == shlm::ShWeight::flux ? "flux" : "radiance", settings.shlm.nearest);
 }
 

@@ -43,7 +43,7 @@ def caption(comparison):
 def chart(comparison, name, title, unit, draw):
     """One panel per scene, same axes; `draw(axes, scene)` fills a panel."""
     scenes = comparison.scenes
-    figure, panels = plt.subplots(1, len(scenes), figsize=(1.2 + 3.4 * len(scenes), 4.2), sharey=True, squeeze=False)
+    figure, panels = plt.subplots(1, len(scenes), figsize=(1.2 + 3.4 * len(scenes), 4.6), sharey=True, squeeze=False)
     for axes, scene in zip(panels[0], scenes):
         draw(axes, scene)
         axes.set_xscale("log")
@@ -52,10 +52,11 @@ def chart(comparison, name, title, unit, draw):
         axes.set_xlabel("hits")
         axes.grid(True, which="major", linewidth=0.4, alpha=0.6)
     panels[0][0].set_ylabel(unit)
-    panels[0][-1].legend(fontsize=7)
     figure.suptitle(title)
     figure.text(0.01, 0.005, caption(comparison), fontsize=5.5, color="#444444", va="bottom")
-    figure.tight_layout(rect=(0, 0.06, 1, 1))
+    handles, labels = panels[0][0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="lower center", bbox_to_anchor=(0.5, 0.06), ncol=min(len(labels), 2 * len(scenes)), fontsize=7)
+    figure.tight_layout(rect=(0, 0.16, 1, 1))
     folder = comparison.folder / "charts"
     folder.mkdir(exist_ok=True)
     figure.savefig(folder / f"{name}.png", dpi=130)

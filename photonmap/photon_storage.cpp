@@ -8,14 +8,9 @@
 namespace photonmap {
 namespace {
 
-bool is_finite_hit(const common::HitBatch& batch, std::size_t i) {
-    return common::is_finite(batch.position[i]) && common::is_finite(batch.direction[i]) &&
-           common::is_finite(batch.flux[i]);
-}
-
 std::size_t count_finite(const common::HitBatch& batch) {
     std::size_t finite = 0;
-    for (std::size_t i = 0; i < batch.size(); ++i) finite += is_finite_hit(batch, i);
+    for (std::size_t i = 0; i < batch.size(); ++i) finite += common::is_finite(batch, i);
     return finite;
 }
 
@@ -34,7 +29,7 @@ void PhotonStorage::append(std::span<const common::HitBatch> wave) {
         const common::HitBatch& batch = wave[b];
         std::size_t out = begin[b];
         for (std::size_t i = 0; i < batch.size(); ++i) {
-            if (!is_finite_hit(batch, i)) continue;
+            if (!common::is_finite(batch, i)) continue;
             positions[out] = batch.position[i];
             photons[out] = {batch.direction[i], batch.flux[i], batch.surface[i].triangle};
             ++out;

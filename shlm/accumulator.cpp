@@ -51,7 +51,7 @@ void Accumulator::find_texels(const HitBatch& hits, BatchDeposits& batch) const 
         const Vec3& direction = hits.direction[i];
         const TriangleTexels& triangle = layout_->triangle(surface.triangle);
         const float cosine = -direction.dot(triangle.normal);
-        if (!common::is_finite(direction) || !common::is_finite(hits.flux[i])) {
+        if (!common::is_finite(hits, i)) {
             ++batch.rejected.not_finite;
         } else if (triangle.width == 0) {
             ++batch.rejected.without_lightmap_uv;

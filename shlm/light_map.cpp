@@ -43,12 +43,11 @@ std::vector<Texel> finished_texels(std::span<const TexelSum> sums, std::span<con
     return texels;
 }
 
-/// Four widths of a mean texel: farther texels say nothing about the point.
+/// Four widths of the largest texel: every point of the surface has a texel of its own that near.
 float gather_radius(std::span<const Texel> texels) {
-    double area = 0;
-    for (const Texel& texel : texels) area += texel.area;
-    return texels.empty() ? 0.0f
-                          : 4 * static_cast<float>(std::sqrt(area / static_cast<double>(texels.size())));
+    float largest = 0;
+    for (const Texel& texel : texels) largest = std::max(largest, texel.area);
+    return 4 * std::sqrt(largest);
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ class LightMap {
 
     /// Irradiance for the shading normal, W/m^2: the mean over the nearest texels whose face looks the
     /// point's way, weighted by their areas projected onto the point's surface. Never negative: what the
-    /// truncated series takes below zero is cut off. Zero where there is no texel within four texel widths.
+    /// truncated series takes below zero is cut off. Zero where no texel lies within four widths of the
+    /// largest one.
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const;
 
     [[nodiscard]] std::size_t bytes() const {

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "shlm/coverage_grid.h"
+
 namespace shlm {
 namespace {
 
@@ -12,14 +14,8 @@ using common::MeshInstance;
 using common::Scene;
 using common::Vec2;
 
-constexpr int grid_size = 512;
-
 /// Overlap below this part of an instance's area is rounding at chart borders.
 constexpr double tolerated_overlap = 1e-3;
-
-struct UvTriangle {
-    Vec2 a, b, c;
-};
 
 UvTriangle uv_triangle(const Scene& scene, std::uint32_t triangle, int set) {
     const auto [a, b, c] = scene.triangle[triangle];
@@ -27,34 +23,9 @@ UvTriangle uv_triangle(const Scene& scene, std::uint32_t triangle, int set) {
     return {uv[a], uv[b], uv[c]};
 }
 
-/// Twice the signed area of (a, b, p). In double, so that the sign is right for float coordinates.
-double edge(const Vec2& a, const Vec2& b, double x, double y) {
-    return (double{b.x} - a.x) * (y - a.y) - (double{b.y} - a.y) * (x - a.x);
-}
-
-/// Calls `visit(cell)` for every cell of the grid over `bounds` whose centre is strictly inside the triangle:
-/// centres on an edge that two triangles share belong to neither.
-template <class Visit>
-void for_each_covered_cell(const UvTriangle& t, const Imath::Box2f& bounds, Visit visit) {
-    const Vec2 size = bounds.size();
-    const auto first_cell = [&](float value, int axis) {
-        return std::clamp(static_cast<int>((value - bounds.min[axis]) / size[axis] * grid_size) - 1, 0,
-                          grid_size - 1);
-    };
-    const auto last_cell = [&](float value, int axis) {
-        return std::min(first_cell(value, axis) + 2, grid_size - 1);
-    };
-    const double sign = edge(t.a, t.b, t.c.x, t.c.y) < 0 ? -1 : 1;
-    for (int j = first_cell(std::min({t.a.y, t.b.y, t.c.y}), 1);
-         j <= last_cell(std::max({t.a.y, t.b.y, t.c.y}), 1); ++j)
-        for (int i = first_cell(std::min({t.a.x, t.b.x, t.c.x}), 0);
-             i <= last_cell(std::max({t.a.x, t.b.x, t.c.x}), 0); ++i) {
-            const double x = bounds.min.x + (i + 0.5) / grid_size * size.x;
-            const double y = bounds.min.y + (j + 0.5) / grid_size * size.y;
-            if (sign * edge(t.a, t.b, x, y) > 0 && sign * edge(t.b, t.c, x, y) > 0 &&
-                sign * edge(t.c, t.a, x, y) > 0)
-                visit(static_cast<std::size_t>(j) * grid_size + i);
-        }
+double area_of(const UvTriangle& t) {
+    const Vec2 ab = t[1] - t[0], ac = t[2] - t[0];
+    return 0.5 * std::abs(double{ab.x} * ac.y - double{ab.y} * ac.x);
 }
 
 /// The instance's area, and nothing to place it by.
@@ -69,28 +40,23 @@ LightmapUv examine(const Scene& scene, const MeshInstance& instance, int set) {
     result.texcoord_set = set;
     const std::uint32_t end = instance.first_triangle + instance.triangle_count;
     for (std::uint32_t t = instance.first_triangle; t < end; ++t) {
-        const UvTriangle uv = uv_triangle(scene, t, set);
-        for (const Vec2& corner : {uv.a, uv.b, uv.c}) result.bounds.extendBy(corner);
+        for (const Vec2& corner : uv_triangle(scene, t, set)) result.bounds.extendBy(corner);
         result.area += common::triangle_area(scene, t);
     }
-    if (!(result.bounds.size().x > 0 && result.bounds.size().y > 0)) return without_set(result);
+    const Vec2 size = result.bounds.size();
+    if (!(size.x > 0 && size.y > 0)) return without_set(result);
 
-    std::vector<std::uint8_t> users(grid_size * grid_size, 0);
-    for (std::uint32_t t = instance.first_triangle; t < end; ++t)
-        for_each_covered_cell(uv_triangle(scene, t, set), result.bounds,
-                              [&](std::size_t cell) { users[cell] = users[cell] == 0 ? 1 : 2; });
+    CoverageGrid grid(result.bounds, instance.triangle_count);
+    for (std::uint32_t t = instance.first_triangle; t < end; ++t) grid.add(uv_triangle(scene, t, set));
+    double covered = 0;  // a place that two triangles share is half each one's
     for (std::uint32_t t = instance.first_triangle; t < end; ++t) {
-        std::size_t cells = 0, shared = 0;
-        for_each_covered_cell(uv_triangle(scene, t, set), result.bounds, [&](std::size_t cell) {
-            ++cells;
-            shared += users[cell] > 1;
-        });
-        if (cells > 0)
-            result.overlapping_area +=
-                common::triangle_area(scene, t) * static_cast<double>(shared) / static_cast<double>(cells);
+        const UvTriangle uv = uv_triangle(scene, t, set);
+        const double shared = grid.shared_part(uv);
+        result.overlapping_area += common::triangle_area(scene, t) * shared;
+        covered += area_of(uv) * (1 - shared / 2);
     }
-    const auto covered = std::count_if(users.begin(), users.end(), [](std::uint8_t n) { return n > 0; });
-    result.covered_fraction = std::max(1.0, static_cast<double>(covered)) / static_cast<double>(users.size());
+    if (covered == 0) return without_set(result);
+    result.covered_fraction = std::min(1.0, covered / (double{size.x} * size.y));
     return result;
 }
 

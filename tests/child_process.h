@@ -40,7 +40,8 @@ struct Ended {
     std::string out, err;
 };
 
-/// A running program; standard output and error go to files in `folder`. Killed, if still alive, with the object.
+/// A running program; standard output and error go to files in `folder`. Killed, if still alive, with the
+/// object.
 class Child {
   public:
     Child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
@@ -76,7 +77,8 @@ class Child {
     [[nodiscard]] bool catches(int signal) const {
         std::ifstream in("/proc/" + std::to_string(pid_) + "/status");
         for (std::string line; std::getline(in, line);)
-            if (line.starts_with("SigCgt:")) return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1)) & 1;
+            if (line.starts_with("SigCgt:"))
+                return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1)) & 1;
         return false;
     }
 

@@ -6,8 +6,8 @@
 
 namespace tests {
 
-/// The larger number in an optimised build, the smaller one where every sample is slow: without optimisation or under a
-/// sanitizer.
+/// The larger number in an optimised build, the smaller one where every sample is slow: without optimisation
+/// or under a sanitizer.
 constexpr std::uint64_t count_for(std::uint64_t optimised, std::uint64_t slow) {
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     (void)slow;
@@ -28,8 +28,8 @@ inline double z_for(double alpha) {
     return high;
 }
 
-/// Probability that a chi-square variable exceeds `x`. For an even number of degrees of freedom 2 n this is the
-/// probability of fewer than n Poisson events of mean x / 2.
+/// Probability that a chi-square variable exceeds `x`. For an even number of degrees of freedom 2 n this is
+/// the probability of fewer than n Poisson events of mean x / 2.
 inline double chi_square_tail(double x, int even_degrees_of_freedom) {
     const double mean = 0.5 * x;
     double sum = 0;
@@ -63,7 +63,9 @@ class Sample {
     [[nodiscard]] std::uint64_t count() const { return count_; }
     [[nodiscard]] double mean() const { return mean_; }
     [[nodiscard]] double variance() const { return squares_ / static_cast<double>(count_ - 1); }
-    [[nodiscard]] double standard_error() const { return std::sqrt(variance() / static_cast<double>(count_)); }
+    [[nodiscard]] double standard_error() const {
+        return std::sqrt(variance() / static_cast<double>(count_));
+    }
 
   private:
     std::uint64_t count_ = 0;

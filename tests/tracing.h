@@ -38,7 +38,8 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b, std::size_t cou
 /// Whether `longer` begins with all of `shorter`, to the last bit.
 inline bool begins_with(const common::HitBatch& longer, const common::HitBatch& shorter) {
     const std::size_t count = shorter.size();
-    return same_bits(longer.position, shorter.position, count) && same_bits(longer.direction, shorter.direction, count) &&
+    return same_bits(longer.position, shorter.position, count) &&
+           same_bits(longer.direction, shorter.direction, count) &&
            same_bits(longer.flux, shorter.flux, count) && same_bits(longer.surface, shorter.surface, count);
 }
 

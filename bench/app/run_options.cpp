@@ -10,7 +10,9 @@ void RunOptions::add_to(CLI::App& command) {
     command.add_option("--threads", threads, "0: all")->capture_default_str();
     // CLI11 would take -1 for 2^64 - 1.
     command.add_option("--seed", seed, "Another seed, other photons")
-        ->check(CLI::NonNegativeNumber)
+        ->check([](const std::string& text) {
+            return std::string(text.starts_with('-') ? "must not be negative" : "");
+        })
         ->capture_default_str();
 }
 

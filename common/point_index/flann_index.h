@@ -37,6 +37,7 @@ class FlannIndex {
 ///
 /// Its search is not exact in three dimensions: FLANN bounds the distance to a cell by the sum over all
 /// planes on the way, which is too much where two of them cut the same axis, and so leaves some cells out.
+/// Nor is it repeatable: FLANN shuffles the points by std::random_device whenever it builds.
 class FlannIncrementalIndex {
   public:
     /// Inserts `points`, which take the next indices. They must stay where they are while the index lives,

@@ -43,6 +43,11 @@ struct HitBatch {
     }
 };
 
+/// Whether hit `i` can be stored: one NaN would spoil a whole map.
+[[nodiscard]] inline bool is_finite(const HitBatch& batch, std::size_t i) {
+    return is_finite(batch.position[i]) && is_finite(batch.direction[i]) && is_finite(batch.flux[i]);
+}
+
 [[nodiscard]] inline std::size_t count_hits(std::span<const HitBatch> wave) {
     std::size_t hits = 0;
     for (const HitBatch& batch : wave) hits += batch.size();

@@ -31,36 +31,40 @@ std::optional<Vec3> refract(const Vec3& direction, const Vec3& normal, float eta
     return (direction * eta + normal * (eta * cos_incident - std::sqrt(cos_transmitted_sq))).normalized();
 }
 
+SpecularDirections specular_directions(const Scene& scene, const SurfaceId& surface, const Vec3& direction) {
+    const Material& material = scene.material_of(surface.triangle);
+    const bool front = direction.dot(scene.geometric_normal[surface.triangle]) < 0;
+    const float side = front ? 1.0f : -1.0f;
+    const Vec3 normal = scene.geometric_normal[surface.triangle] * side;
+    Vec3 smooth = smooth_normal_at(scene, surface) * side;
+    if (smooth.dot(direction) >= 0) smooth = normal;
+
+    SpecularDirections directions{reflect(direction, smooth), {}, 1};
+    if (directions.reflected.dot(normal) <= 0) directions.reflected = reflect(direction, normal);
+    if (material.kind == SurfaceKind::dielectric) {
+        const float eta = front ? 1 / material.index_of_refraction : material.index_of_refraction;
+        directions.refracted = refract(direction, smooth, eta);
+        if (directions.refracted && directions.refracted->dot(normal) >= 0) directions.refracted.reset();
+        if (directions.refracted) directions.reflectance = fresnel_reflectance(-direction.dot(smooth), eta);
+    }
+    return directions;
+}
+
 std::optional<ScatteredPhoton> scatter(const Scene& scene, const SurfaceId& surface, const Vec3& direction,
                                        const Rgb& flux, const std::array<float, 4>& u) {
-    const Material& material = scene.material_of(surface.triangle);
     const Vec3& front_normal = scene.geometric_normal[surface.triangle];
-    const bool front = direction.dot(front_normal) < 0;
-    const Vec3 normal = front ? front_normal : -front_normal;
+    const Vec3 normal = direction.dot(front_normal) < 0 ? front_normal : -front_normal;
 
     const std::optional<Rgb> survived = survive(flux, flux * base_color_at(scene, surface), u[0]);
     if (!survived) return std::nullopt;
-
-    if (material.kind == SurfaceKind::diffuse)
+    if (scene.material_of(surface.triangle).kind == SurfaceKind::diffuse)
         return ScatteredPhoton{Frame(normal).to_world(sample_cosine_hemisphere(u[1], u[2])), normal,
                                *survived};
 
-    // Specular surfaces follow the smooth normal, so that a faceted sphere focuses like a round one, unless
-    // that would send the photon through the wrong side.
-    Vec3 smooth = smooth_normal_at(scene, surface) * (front ? 1.0f : -1.0f);
-    if (smooth.dot(direction) >= 0) smooth = normal;
-
-    if (material.kind == SurfaceKind::dielectric) {
-        const float eta = front ? 1 / material.index_of_refraction : material.index_of_refraction;
-        if (u[3] >= fresnel_reflectance(-direction.dot(smooth), eta)) {
-            const std::optional<Vec3> refracted = refract(direction, smooth, eta);
-            if (refracted && refracted->dot(normal) < 0)
-                return ScatteredPhoton{*refracted, -normal, *survived};
-        }
-    }
-    Vec3 reflected = reflect(direction, smooth);
-    if (reflected.dot(normal) <= 0) reflected = reflect(direction, normal);
-    return ScatteredPhoton{reflected, normal, *survived};
+    const SpecularDirections specular = specular_directions(scene, surface, direction);
+    if (specular.refracted && u[3] >= specular.reflectance)
+        return ScatteredPhoton{*specular.refracted, -normal, *survived};
+    return ScatteredPhoton{specular.reflected, normal, *survived};
 }
 
 }  // namespace common

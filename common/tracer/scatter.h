@@ -29,6 +29,18 @@ struct ScatteredPhoton {
 /// index of the side that the light comes from over that of the other.
 [[nodiscard]] float fresnel_reflectance(float cos_incident, float eta);
 
+/// Where a perfect mirror or smooth glass sends what travels along `direction` (unit, towards the surface).
+struct SpecularDirections {
+    Vec3 reflected;                 ///< unit, away from the side of arrival
+    std::optional<Vec3> refracted;  ///< unit, into the other side; glass only, and none at total reflection
+    float reflectance = 1;          ///< of glass; 1 where nothing is refracted
+};
+
+/// Specular surfaces follow the smooth vertex normal, so that a faceted sphere focuses like a round one,
+/// except where that would send light through the wrong side of the triangle.
+[[nodiscard]] SpecularDirections specular_directions(const Scene& scene, const SurfaceId& surface,
+                                                     const Vec3& direction);
+
 /// `direction` mirrored at a surface with unit `normal`; both senses of the normal do.
 [[nodiscard]] inline Vec3 reflect(const Vec3& direction, const Vec3& normal) {
     return direction - normal * (2 * direction.dot(normal));

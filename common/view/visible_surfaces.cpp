@@ -10,20 +10,6 @@ namespace {
 
 constexpr int max_specular_events = 32;
 
-struct SpecularStep {
-    Vec3 direction;
-    Vec3 normal;  ///< on the side that the ray leaves to
-};
-
-SpecularStep through_specular(const Material& material, const SurfacePoint& point, const Vec3& direction) {
-    if (material.kind == SurfaceKind::dielectric) {
-        const float eta = point.front ? 1 / material.index_of_refraction : material.index_of_refraction;
-        if (const auto refracted = refract(direction, point.shading_normal, eta))
-            return {*refracted, -point.geometric_normal};
-    }
-    return {reflect(direction, point.shading_normal), point.geometric_normal};
-}
-
 VisibleSurface look(const RayScene& rays, Vec3 origin, Vec3 direction) {
     const Scene& scene = rays.scene();
     VisibleSurface seen;
@@ -43,9 +29,10 @@ VisibleSurface look(const RayScene& rays, Vec3 origin, Vec3 direction) {
             return seen;
         }
         seen.throughput *= base_color_at(scene, *surface);
-        const SpecularStep step = through_specular(material, seen.point, direction);
-        direction = step.direction;
-        origin = rays.off_surface(seen.point.position, step.normal);
+        const SpecularDirections specular = specular_directions(scene, *surface, direction);
+        direction = specular.refracted.value_or(specular.reflected);
+        const Vec3& normal = seen.point.geometric_normal;
+        origin = rays.off_surface(seen.point.position, specular.refracted ? -normal : normal);
     }
     return seen;
 }

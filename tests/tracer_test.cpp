@@ -1,0 +1,181 @@
+#include <gtest/gtest.h>
+
+#include "common/core/input_error.h"
+#include "common/tracer/null_sink.h"
+#include "tests/statistics.h"
+#include "tests/tracing.h"
+
+namespace {
+
+using namespace tests;
+using common::PhotonFates;
+using common::TraceReport;
+using common::TraceTarget;
+
+/// A room, askew and away from the origin, with a lamp, a mirror ball and a glass ball.
+Scene furnished_room() {
+    Scene scene = closed_box(diffuse(Rgb(0.7f, 0.5f, 0.3f)));
+    add(scene, sphere({-0.4f, -0.5f, 0}, 0.3f, 3), mirror(Rgb(0.9f, 0.9f, 0.9f)));
+    add(scene, sphere({0.4f, -0.5f, 0.1f}, 0.3f, 3), glass());
+    add(scene, quad({-0.2f, 0.9f, -0.2f}, {0.4f, 0, 0}, {0, 0, 0.4f}), diffuse(Rgb(0, 0, 0), Rgb(3, 2, 1)));
+    scene.point_light.push_back({{0.1f, 0.2f, 0.3f}, Rgb(1, 1, 1)});
+    return moved(scene, skew_rotation(), {3, -5, 2});
+}
+
+/// A small plate under a lamp: most photons miss it.
+Scene open_scene() {
+    Scene scene;
+    add(scene, quad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2}), diffuse(Rgb(0.5f, 0.5f, 0.5f)));
+    scene.point_light.push_back({{0, 1, 0}, Rgb(1, 1, 1)});
+    return scene;
+}
+
+std::uint64_t ended(const PhotonFates& fates) {
+    return fates.missed + fates.escaped + fates.absorbed + fates.given_up;
+}
+
+TEST(Tracer, GivesTheSameHitsOnAnyNumberOfThreads) {
+    const Scene scene = furnished_room();
+    const TraceTarget target{.photons = count_for(100'000, 5'000)};
+    TracedRun one;
+    common::ThreadPool(1).run([&] { one = record(scene, 1, target); });
+    EXPECT_GT(one.hits.size(), target.photons);
+    for (const int threads : {2, 7}) {
+        TracedRun many;
+        common::ThreadPool(threads).run([&] { many = record(scene, 1, target); });
+        EXPECT_TRUE(same_hits(one.hits, many.hits)) << threads << " threads";
+        EXPECT_EQ(one.report.fates.absorbed, many.report.fates.absorbed) << threads << " threads";
+    }
+}
+
+TEST(Tracer, LongerRunBeginsWithTheShorterOne) {
+    const Scene scene = furnished_room();
+    const TracedRun longest = record(scene, 2, {.photons = 30'000});
+    for (const TraceTarget target :
+         {TraceTarget{.photons = 1}, TraceTarget{.photons = 5'000}, TraceTarget{.hits = 1},
+          TraceTarget{.hits = 3'000}, TraceTarget{.photons = 2'000, .hits = 20'000}}) {
+        const TracedRun run = record(scene, 2, target);
+        EXPECT_GT(run.hits.size(), 0u);
+        EXPECT_EQ(run.hits.size(), run.report.hits);
+        EXPECT_TRUE(begins_with(longest.hits, run.hits))
+            << "target " << target.photons << " photons, " << target.hits << " hits";
+    }
+}
+
+TEST(Tracer, DifferentSeedsGiveDifferentHits) {
+    const Scene scene = furnished_room();
+    const TracedRun a = record(scene, 1, {.photons = 256}), b = record(scene, 2, {.photons = 256}),
+                    c = record(scene, 1 + (std::uint64_t{1} << 32), {.photons = 256});
+    EXPECT_FALSE(begins_with(a.hits, b.hits));
+    EXPECT_NE(a.hits.position[0], b.hits.position[0]);
+    EXPECT_NE(a.hits.position[0], c.hits.position[0]) << "the seed's upper half counts too";
+}
+
+TEST(Tracer, AccountsForEveryPhoton) {
+    const TraceReport open = record(open_scene(), 3, {.photons = 20'000}).report;
+    EXPECT_EQ(open.fates.emitted, 20'224u) << "whole blocks of 256";
+    EXPECT_EQ(ended(open.fates), open.fates.emitted);
+    EXPECT_GT(open.fates.missed, 0u);
+    EXPECT_GT(open.fates.escaped, 0u);
+    EXPECT_GT(open.fates.absorbed, 0u);
+    EXPECT_EQ(open.hits, open.fates.escaped + open.fates.absorbed) << "each has hit the plate once";
+
+    const TraceReport closed = record(furnished_room(), 3, {.photons = 20'000}).report;
+    EXPECT_EQ(ended(closed.fates), closed.fates.emitted);
+    EXPECT_FLOAT_EQ(closed.watts_per_flux(), 1 / 20'224.0f);
+}
+
+TEST(Tracer, EndsAtTheFirstBlockThatReachesTheHits) {
+    for (const Scene& scene : {furnished_room(), open_scene()})
+        for (const std::uint64_t wanted : {1u, 255u, 1000u, 40'000u}) {
+            const TraceReport report = record(scene, 4, {.hits = wanted}).report;
+            EXPECT_EQ(report.fates.emitted % common::photons_per_block, 0u);
+            EXPECT_GE(report.hits, wanted);
+            if (report.fates.emitted == common::photons_per_block) continue;
+            const TraceReport shorter =
+                record(scene, 4, {.photons = report.fates.emitted - common::photons_per_block}).report;
+            EXPECT_LT(shorter.hits, wanted) << "a block less was enough";
+        }
+}
+
+TEST(Tracer, ReachesBothTargets) {
+    const TraceReport many_hits = record(open_scene(), 5, {.photons = 1'000, .hits = 5'000}).report;
+    EXPECT_GE(many_hits.hits, 5'000u);
+    const TraceReport many_photons = record(open_scene(), 5, {.photons = 50'000, .hits = 10}).report;
+    EXPECT_GE(many_photons.fates.emitted, 50'000u);
+    EXPECT_EQ(record(open_scene(), 5, {}).report.fates.emitted, 0u) << "nothing asked for";
+}
+
+TEST(Tracer, ThrowsWhereNoHitsCanBeReached) {
+    Scene scene;
+    add(scene, quad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2}), mirror());
+    scene.point_light.push_back({{0, 1, 0}, Rgb(1, 1, 1)});
+    common::NullSink sink;
+    EXPECT_THROW(trace(scene, 6, {.hits = 1}, sink), common::InputError);
+    EXPECT_NO_THROW(trace(scene, 6, {.photons = 1000}, sink));
+}
+
+TEST(Tracer, StopsWhenProgressSaysSo) {
+    common::NullSink sink;
+    int calls = 0;
+    const TraceReport report =
+        trace(open_scene(), 7, {.photons = 1'000'000}, sink, [&](const TraceReport&) { return ++calls < 2; });
+    EXPECT_TRUE(report.interrupted);
+    EXPECT_GT(report.fates.emitted, 0u);
+    EXPECT_LT(report.fates.emitted, 1'000'000u);
+    EXPECT_EQ(ended(report.fates), report.fates.emitted);
+}
+
+TEST(Tracer, StoresNothingOnMirrorsAndGlass) {
+    const Scene scene = furnished_room();
+    for (const SurfaceId& surface : record(scene, 8, {.photons = 20'000}).hits.surface)
+        ASSERT_EQ(scene.material_of(surface.triangle).kind, common::SurfaceKind::diffuse);
+}
+
+TEST(Tracer, EndsInARoomOfPerfectMirrors) {
+    Scene scene = closed_box(mirror());
+    scene.point_light.push_back({{0.1f, 0.2f, 0.3f}, Rgb(1, 1, 1)});
+    const TraceReport report = record(scene, 9, {.photons = 256}).report;
+    EXPECT_EQ(report.fates.given_up, 256u);
+    EXPECT_EQ(report.hits, 0u);
+}
+
+TEST(Tracer, RecordsHitsWhereTheyAre) {
+    const Scene scene = furnished_room();
+    const common::HitBatch hits = record(scene, 10, {.photons = 5'000}).hits;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        ASSERT_EQ(hits.position[i], common::position_at(scene, hits.surface[i]));
+        ASSERT_NEAR(hits.direction[i].length(), 1, 1e-5);
+        ASSERT_GE(hits.surface[i].u, 0);
+        ASSERT_GE(hits.surface[i].v, 0);
+        ASSERT_LE(hits.surface[i].u + hits.surface[i].v, 1 + 1e-6f);
+    }
+}
+
+TEST(Tracer, LosesNextToNothingFromAClosedRoom) {
+    // Askew, so that every position is rounded. All walls emit and reflect. What leaks has hit one wall
+    // within rounding of another: of the order of 1 in 10^7 for such a room.
+    const Scene scene =
+        moved(closed_box(diffuse(Rgb(0.9f, 0.9f, 0.9f), Rgb(1, 1, 1))), skew_rotation(), {1, -2, 1});
+    const TracedRun run = record(scene, 11, {.hits = count_for(3'000'000, 100'000)});
+    std::uint64_t on_backs = 0;
+    for (std::size_t i = 0; i < run.hits.size(); ++i)
+        on_backs += run.hits.direction[i].dot(scene.geometric_normal[run.hits.surface[i].triangle]) > 0;
+    const double bound = std::max(1.0, 2e-6 * static_cast<double>(run.hits.size()));
+    EXPECT_LE(static_cast<double>(run.report.fates.missed + run.report.fates.escaped), bound);
+    EXPECT_LE(static_cast<double>(on_backs), bound);
+}
+
+TEST(Tracer, PhotonsDoNotMeetTheLampTheyLeave) {
+    Scene plate;
+    add(plate, quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), diffuse(Rgb(0.5f, 0.5f, 0.5f), Rgb(1, 1, 1)));
+    for (const Vec3& offset : {Vec3(0, 0, 0), Vec3(1, 2, 3), Vec3(100, -70, 40)}) {
+        const TraceReport report =
+            record(moved(plate, skew_rotation(), offset), 12, {.photons = count_for(1'000'000, 50'000)})
+                .report;
+        EXPECT_EQ(report.hits, 0u) << "of " << report.fates.emitted << " photons of a lone plate at "
+                                   << offset;
+    }
+}
+
+}  // namespace

@@ -7,6 +7,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <oneapi/tbb/version.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -47,6 +48,16 @@ std::string commit() {
         fmt::format("git -C '{}' describe --always --dirty --abbrev=12 2>/dev/null", source_folder));
 }
 
+std::string utc_text(std::time_t time) {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(time));
+}
+
+/// When the running program was built.
+std::string build_time() {
+    struct stat program {};
+    return stat("/proc/self/exe", &program) == 0 ? utc_text(program.st_mtime) : "unknown";
+}
+
 Json libraries() {
     return {{"embree", RTC_VERSION_STRING},
             {"flann", FLANN_VERSION_},
@@ -68,7 +79,8 @@ Json provenance() {
             {"flags", build_flags},
             {"libraries", libraries()},
             {"commit", commit()},
-            {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
+            {"built", build_time()},
+            {"date", utc_text(std::time(nullptr))}};
 }
 
 std::map<std::string, std::string> provenance_notes() {

@@ -30,6 +30,7 @@ void draw_images(const ComparePlan& plan, const CompareScene& scene, const nlohm
         common::visible_surfaces(scene.loaded.rays, scene.loaded.camera, image_width, image_height);
     float exposure = 0;
     for (const std::string& method : plan.methods) {
+        if (method == "photonmap/flann-incremental") continue;  // photonmap/flann's picture, slower
         std::uint64_t hits = 0;
         for (const auto& row : rows)
             if (row["scene"] == scene.loaded.name && row["method"] == method && !row.contains("skipped"))

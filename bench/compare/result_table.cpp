@@ -23,10 +23,9 @@ Json context_of(const ComparePlan& plan) {
     return context;
 }
 
-/// Whether rows measured under `earlier` can stand beside rows measured under `now`. Uncommitted changes have no name
-/// to know them by.
+/// Whether rows measured under `earlier` can stand beside rows measured under `now`: all but the date must
+/// agree, the time when the program was built included.
 bool is_same_context(Json earlier, Json now) {
-    if (now["commit"].get<std::string>().ends_with("-dirty")) return false;
     earlier.erase("date");
     now.erase("date");
     return earlier == now;
@@ -36,15 +35,17 @@ bool is_same_context(Json earlier, Json now) {
 Json earlier_rows(const std::filesystem::path& file, const Json& context) {
     std::ifstream in(file);
     const Json document = Json::parse(in, nullptr, false);
-    if (!document.is_object() || !document.contains("context") || !document.contains("rows")) return Json::array();
+    if (!document.is_object() || !document.contains("context") || !document.contains("rows"))
+        return Json::array();
     if (!is_same_context(document["context"], context)) {
-        fmt::print(stderr, "compare: {} is of another commit, machine or setting and is written anew\n", file.string());
+        fmt::print(stderr, "compare: {} is of another build, machine or setting and is written anew\n",
+                   file.string());
         return Json::array();
     }
     Json kept = Json::array();
     for (const Json& row : document["rows"])
         if (!row.contains("skipped")) kept.push_back(row);
-    fmt::print(stderr, "compare: {} rows in {} are of this commit and settings and are kept\n", kept.size(),
+    fmt::print(stderr, "compare: {} rows in {} are of this build and settings and are kept\n", kept.size(),
                file.string());
     return kept;
 }

@@ -10,21 +10,7 @@ using common::Rgb;
 using common::Vec3;
 
 /// A texel's sums are asked for this many deposits before they are added to: about the time of a cache miss.
-constexpr std::size_t prefetch_distance = 8;
-
-void prefetch(const TexelSum& sum) {
-    const char* address = reinterpret_cast<const char*>(&sum);
-    for (std::size_t line = 0; line < sizeof(TexelSum); line += 64) __builtin_prefetch(address + line, 1);
-}
-
-void add(TexelSum& sum, const Vec3& towards_light, const Rgb& weight) {
-    const ShValues y = evaluate_sh(towards_light);
-    std::array<float, 3 * coefficient_count> product;
-    for (std::size_t i = 0; i < coefficient_count; ++i)
-        for (int c = 0; c < 3; ++c) product[3 * i + c] = y[i] * weight[c];
-    for (std::size_t i = 0; i < product.size(); ++i) sum.coefficient[i] += product[i];
-    ++sum.hits;
-}
+constexpr std::size_t prefetch_distance = 16;
 
 }  // namespace
 
@@ -91,13 +77,13 @@ void Accumulator::add_share(std::size_t share) {
     const std::span<const Deposit> deposits =
         std::span(by_share_).subspan(share_begin_[share], share_begin_[share + 1] - share_begin_[share]);
     for (std::size_t i = 0; i < deposits.size(); ++i) {
-        if (i + prefetch_distance < deposits.size()) prefetch(sums_[deposits[i + prefetch_distance].texel]);
-        add(sums_[deposits[i].texel], deposits[i].towards_light, deposits[i].weight);
+        if (i + prefetch_distance < deposits.size()) sums_.prefetch(deposits[i + prefetch_distance].texel);
+        sums_.add(deposits[i].texel, deposits[i].towards_light, deposits[i].weight);
     }
 }
 
 std::size_t Accumulator::bytes() const {
-    std::size_t bytes = sums_.capacity() * sizeof(TexelSum) + by_share_.capacity() * sizeof(Deposit);
+    std::size_t bytes = sums_.bytes() + by_share_.capacity() * sizeof(Deposit);
     for (const BatchDeposits& batch : batches_)
         bytes += sizeof(batch) + batch.deposits.capacity() * sizeof(Deposit);
     return bytes;

@@ -8,18 +8,10 @@
 #include "common/estimator/irradiance_estimator.h"
 #include "common/tracer/hit_batch.h"
 #include "shlm/settings.h"
-#include "shlm/sh_basis.h"
 #include "shlm/texel_layout.h"
+#include "shlm/texel_sums.h"
 
 namespace shlm {
-
-/// Radiance coefficients times texel area: sum over hits of flux * weight * Y(direction towards the light).
-/// Double, because float stops growing at 2^24 equal adds.
-struct alignas(32) TexelSum {
-    /// Channel c of harmonic i at [3 i + c]; W times the number of photons emitted.
-    std::array<double, 3 * coefficient_count> coefficient{};
-    std::uint64_t hits = 0;
-};
 
 class Accumulator {
   public:
@@ -29,7 +21,7 @@ class Accumulator {
     /// threads.
     void consume(std::span<const common::HitBatch> wave);
 
-    [[nodiscard]] std::span<const TexelSum> sums() const { return sums_; }
+    [[nodiscard]] const TexelSums& sums() const { return sums_; }
     [[nodiscard]] const common::RejectedHits& rejected() const { return rejected_; }
 
     /// The sums and what is kept to sort a wave by share.
@@ -64,7 +56,7 @@ class Accumulator {
     const TexelLayout* layout_;
     ShWeight weight_;
     unsigned share_shift_ = 0;
-    std::vector<TexelSum> sums_;
+    TexelSums sums_;
     std::vector<BatchDeposits> batches_;
     std::vector<Deposit> by_share_;  ///< the wave's, share after share, each in the photons' order
     std::array<std::uint32_t, max_shares + 1> share_begin_;  ///< in `by_share_`

@@ -17,7 +17,8 @@ using UvTriangle = std::array<common::Vec2, 3>;
 /// it.
 class CoverageGrid {
   public:
-    /// Between 256 and 512 samples a side, by the number of triangles that will be added. `bounds` has an area.
+    /// Between 256 and 512 samples a side, by the number of triangles that will be added. `bounds` has an
+    /// area.
     CoverageGrid(const Imath::Box2f& bounds, std::size_t triangle_count);
 
     void add(const UvTriangle& triangle);

@@ -33,7 +33,7 @@ Texel finished_texel(const TexelSum& sum, const TexelGeometry& geometry, float w
     return texel;
 }
 
-std::vector<Texel> finished_texels(std::span<const TexelSum> sums, std::span<const TexelGeometry> geometry,
+std::vector<Texel> finished_texels(const TexelSums& sums, std::span<const TexelGeometry> geometry,
                                    float watts_per_flux) {
     const std::vector<std::size_t> covered = covered_texels(geometry);
     std::vector<Texel> texels(covered.size());
@@ -59,8 +59,8 @@ Rgb evaluate_irradiance(const Texel& texel, const Vec3& normal) {
     return sum;
 }
 
-LightMap::LightMap(std::span<const TexelSum> sums, std::span<const TexelGeometry> geometry,
-                   float watts_per_flux, std::size_t nearest)
+LightMap::LightMap(const TexelSums& sums, std::span<const TexelGeometry> geometry, float watts_per_flux,
+                   std::size_t nearest)
     : centers_(centers_of(geometry)),
       texels_(finished_texels(sums, geometry, watts_per_flux)),
       index_(centers_),

@@ -24,7 +24,7 @@ class LightMap {
   public:
     /// `sums` and `geometry` have one entry per texel of the same layout; `watts_per_flux` as in
     /// common::MapSink.
-    LightMap(std::span<const TexelSum> sums, std::span<const TexelGeometry> geometry, float watts_per_flux,
+    LightMap(const TexelSums& sums, std::span<const TexelGeometry> geometry, float watts_per_flux,
              std::size_t nearest);
 
     /// Irradiance for the shading normal, W/m^2: the mean over the nearest texels whose face looks the

@@ -49,8 +49,10 @@ Imath::V3d flux_in(const PhotonStorage& storage) {
 /// Of sums made with ShWeight::flux: the first coefficient is the flux times Y00.
 Imath::V3d flux_in(const shlm::Accumulator& accumulator) {
     Imath::V3d sum(0, 0, 0);
-    for (const shlm::TexelSum& texel : accumulator.sums())
+    for (std::size_t i = 0; i < accumulator.sums().size(); ++i) {
+        const shlm::TexelSum texel = accumulator.sums()[i];
         sum += Imath::V3d(texel.coefficient[0], texel.coefficient[1], texel.coefficient[2]);
+    }
     return sum * std::sqrt(4 * pi);
 }
 

@@ -190,10 +190,11 @@ Scene furnished_room() {
 }
 
 bool same_sums(const shlm::Accumulator& a, const shlm::Accumulator& b) {
-    return std::equal(a.sums().begin(), a.sums().end(), b.sums().begin(), b.sums().end(),
-                      [](const shlm::TexelSum& x, const shlm::TexelSum& y) {
-                          return x.hits == y.hits && x.coefficient == y.coefficient;
-                      });
+    for (std::size_t i = 0; i < a.sums().size(); ++i) {
+        const shlm::TexelSum x = a.sums()[i], y = b.sums()[i];
+        if (x.hits != y.hits || x.coefficient != y.coefficient) return false;
+    }
+    return a.sums().size() == b.sums().size();
 }
 
 TEST(Accumulator, SumsAreTheSameOnAnyNumberOfThreadsAndForAnyWaves) {
@@ -252,7 +253,7 @@ TEST(Accumulator, MemoryDoesNotGrowWithHits) {
     shlm::Accumulator accumulator(texels.layout, ShWeight::radiance);
     accumulator.consume(batches);
     const std::size_t bytes = accumulator.bytes();
-    EXPECT_GE(bytes, texels.layout.texel_count() * sizeof(shlm::TexelSum));
+    EXPECT_GE(bytes, texels.layout.texel_count() * shlm::TexelSums::bytes_per_texel());
     for (int i = 0; i < 20; ++i) accumulator.consume(batches);
     EXPECT_EQ(accumulator.bytes(), bytes);
 

@@ -10,8 +10,8 @@ namespace {
 constexpr double photon_bytes = sizeof(common::Vec3) + sizeof(photonmap::Photon);
 constexpr double flann_bytes = 46;              // bulk tree: 33 to 42 by leaf fill
 constexpr double flann_incremental_bytes = 96;  // 75, and FLANN's array of pointers while it grows
-constexpr double texel_bytes = sizeof(shlm::TexelSum) + sizeof(shlm::TexelGeometry) + sizeof(shlm::Texel) +
-                               2 * sizeof(common::Vec3) + flann_bytes;
+constexpr double texel_bytes = shlm::TexelSums::bytes_per_texel() + sizeof(shlm::TexelGeometry) +
+                               sizeof(shlm::Texel) + 2 * sizeof(common::Vec3) + flann_bytes;
 constexpr double wave_bytes = 64e6;  // hits on their way to a store
 
 double gibibytes(std::size_t bytes) {

@@ -21,30 +21,45 @@ namespace fs = std::filesystem;
 
 constexpr int image_width = 640, image_height = 360;
 
-/// Each method's picture at the most hits that it was run with, all with the same exposure. Ends early where
-/// the user wants it to.
-void draw_images(const ComparePlan& plan, const CompareScene& scene, const nlohmann::ordered_json& rows) {
-    const fs::path folder = plan.out / "images";
-    prepare_output_folder("--out", folder);
+/// A method's picture of the scene, at the most hits that the method was run with.
+struct Picture {
+    std::string method;
+    std::uint64_t hits = 0;
+    fs::path file;
+};
+
+std::vector<Picture> pictures_of(const ComparePlan& plan, const std::string& scene,
+                                 const nlohmann::ordered_json& rows) {
+    std::vector<Picture> pictures;
+    for (const std::string& method : plan.methods) {
+        if (method == "photonmap/flann-incremental") continue;  // photonmap/flann's picture, slower
+        Picture picture{method, 0, {}};
+        for (const auto& row : rows)
+            if (row["scene"] == scene && row["method"] == method && !row.contains("skipped"))
+                picture.hits = std::max(picture.hits, row["hits_asked"].get<std::uint64_t>());
+        std::string name = method;
+        std::replace(name.begin(), name.end(), '/', '-');
+        picture.file = plan.out / "images" / fmt::format("{}-{}.png", scene, name);
+        if (picture.hits > 0) pictures.push_back(picture);
+    }
+    return pictures;
+}
+
+/// Draws all of them with the same exposure. Ends early where the user wants it to.
+void draw(const ComparePlan& plan, const CompareScene& scene, const std::vector<Picture>& pictures) {
+    prepare_output_folder("--out", plan.out / "images");
     const auto pixels =
         common::visible_surfaces(scene.loaded.rays, scene.loaded.camera, image_width, image_height);
     float exposure = 0;
-    for (const std::string& method : plan.methods) {
-        if (method == "photonmap/flann-incremental") continue;  // photonmap/flann's picture, slower
-        std::uint64_t hits = 0;
-        for (const auto& row : rows)
-            if (row["scene"] == scene.loaded.name && row["method"] == method && !row.contains("skipped"))
-                hits = std::max(hits, row["hits_asked"].get<std::uint64_t>());
-        if (hits == 0) continue;
+    for (const Picture& picture : pictures) {
         const auto go_on = [](const common::TraceReport&) { return !common::interrupted(); };
-        const Workload workload{scene.loaded, scene.source, scene.queries, plan.seed, {.hits = hits}, go_on};
+        const Workload workload{scene.loaded, scene.source,           scene.queries,
+                                plan.seed,    {.hits = picture.hits}, go_on};
         const common::Image image =
-            render_method(method, scene.prepared, workload, pixels, image_width, image_height);
+            render_method(picture.method, scene.prepared, workload, pixels, image_width, image_height);
         if (common::interrupted()) return;
         if (exposure == 0) exposure = common::middle_grey_exposure(image);
-        std::string name = method;
-        std::replace(name.begin(), name.end(), '/', '-');
-        common::write_png(folder / fmt::format("{}-{}.png", scene.loaded.name, name), image, exposure);
+        common::write_png(picture.file, image, exposure);
     }
 }
 
@@ -67,7 +82,10 @@ bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable
         if (result.interrupted) return false;
         anything_new = true;
     }
-    if (anything_new) draw_images(plan, scene, table.rows());
+    const std::vector<Picture> pictures = pictures_of(plan, loaded.name, table.rows());
+    const bool all_there = std::all_of(pictures.begin(), pictures.end(),
+                                       [](const Picture& picture) { return fs::exists(picture.file); });
+    if (anything_new || !all_there) draw(plan, scene, pictures);
     return !common::interrupted();
 }
 
@@ -81,10 +99,17 @@ void check_scenes(const ComparePlan& plan) {
     }
 }
 
+std::string shell_quoted(const std::string& text) {
+    std::string quoted = "'";
+    for (char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
 /// Draws the charts with the project's Python script.
 void draw_charts(const ComparePlan& plan) {
-    const std::string command =
-        fmt::format("/usr/bin/python3 '{}/bench/report/charts.py' '{}'", source_folder, plan.out.string());
+    const std::string command = fmt::format(
+        "/usr/bin/python3 {} {}", shell_quoted(std::string(source_folder) + "/bench/report/charts.py"),
+        shell_quoted(plan.out.string()));
     if (std::system(command.c_str()) != 0)
         fmt::print(stderr, "compare: the charts could not be drawn; the table is complete\n");
 }

@@ -70,6 +70,13 @@ bool run_once(const ComparePlan& plan, const CompareScene& scene, std::uint64_t 
     return true;
 }
 
+/// Tracing for a moment, unmeasured: the first run of a process finds caches, buffers and threads cold.
+void warm_up(const ComparePlan& plan, const CompareScene& scene, std::uint64_t hits) {
+    constexpr std::uint64_t enough = 300'000;
+    (void)measure_null_sink(
+        {scene.loaded, scene.source, scene.queries, plan.seed, {.hits = std::min(hits, enough)}, {}});
+}
+
 }  // namespace
 
 SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
@@ -80,6 +87,7 @@ SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
     SizeResult result;
     const bool anything =
         std::any_of(rows.begin(), rows.end(), [](const RowInput& r) { return r.skipped.empty(); });
+    if (anything) warm_up(plan, scene, hits);
     const auto start = std::chrono::steady_clock::now();
     for (std::size_t done = 0; anything && done < plan.repetitions && !result.interrupted; ++done) {
         const double elapsed =
@@ -89,8 +97,11 @@ SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
         if (after_one_more > plan.seconds_per_size) break;
         result.interrupted = !run_once(plan, scene, hits, done, rows);
     }
-    for (const RowInput& row : rows)
-        if (!row.skipped.empty() || !row.measurements.empty()) result.rows.push_back(make_row(row));
+    for (const RowInput& row : rows) {
+        if (row.skipped.empty() && row.measurements.empty()) continue;
+        result.rows.push_back(make_row(row));
+        if (result.interrupted) result.rows.back()["interrupted"] = true;
+    }
     return result;
 }
 

@@ -31,7 +31,8 @@ bool is_same_context(Json earlier, Json now) {
     return earlier == now;
 }
 
-/// The measured rows in `file` that can be kept; empty where there are none. Skipped ones are judged anew.
+/// The rows in `file` that can be kept; empty where there are none. Skipped ones are judged anew, and ones
+/// with fewer repetitions than were asked for, because the user ended them, measured anew.
 Json earlier_rows(const std::filesystem::path& file, const Json& context) {
     std::ifstream in(file);
     const Json document = Json::parse(in, nullptr, false);
@@ -44,7 +45,7 @@ Json earlier_rows(const std::filesystem::path& file, const Json& context) {
     }
     Json kept = Json::array();
     for (const Json& row : document["rows"])
-        if (!row.contains("skipped")) kept.push_back(row);
+        if (!row.contains("skipped") && !row.contains("interrupted")) kept.push_back(row);
     fmt::print(stderr, "compare: {} rows in {} are of this build and settings and are kept\n", kept.size(),
                file.string());
     return kept;

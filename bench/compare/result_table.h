@@ -7,8 +7,8 @@
 
 namespace bench {
 
-/// Begins with what an earlier run of the same build, machine, seed and settings has left in the folder, so that a
-/// comparison can be stopped and gone on with, or extended by scenes and sizes.
+/// Begins with what an earlier run of the same build, machine, seed and settings has left in the folder, so
+/// that a comparison can be stopped and gone on with, or extended by scenes and sizes.
 class ResultTable {
   public:
     explicit ResultTable(const ComparePlan& plan);

@@ -121,6 +121,8 @@ PhotonSource::PhotonSource(const Scene& scene) : scene_(&scene) {
         throw InputError(scene.source +
                          ": no light in the scene; add one with --sky R,G,B or --sun X,Y,Z,R,G,B");
     const double total = cumulative_.back();
+    if (!std::isfinite(total) || !is_finite(power_))
+        throw InputError(scene.source + ": its lights are too bright for float");
     for (const Emitter& emitter : emitters_) {
         const Rgb power = std::visit([](const auto& e) { return power_of(e); }, emitter);
         probability_.push_back(static_cast<float>(mean_component(power) / total));

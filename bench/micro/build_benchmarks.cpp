@@ -1,0 +1,50 @@
+// From what tracing has stored to what a gather needs.
+#include <benchmark/benchmark.h>
+
+#include "bench/micro/subjects.h"
+
+namespace bench {
+namespace {
+
+/// FLANN's tree over recorded positions. Items: hits.
+void build_flann(benchmark::State& state, SharedInputs& inputs, std::uint64_t hits) {
+    photonmap::PhotonStorage photons;
+    for (const auto& wave : inputs.recording(hits).waves) photons.append(wave);
+    for (auto _ : state) {
+        const common::FlannIndex index(photons.positions());
+        benchmark::DoNotOptimize(index.bytes());
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(photons.size()));
+}
+
+/// The finished light map from its sums. Items: texels.
+void build_light_map(benchmark::State& state, SharedInputs& inputs, std::size_t texels) {
+    constexpr std::uint64_t hits = 100'000;
+    const Recording& recording = inputs.recording(hits);
+    const shlm::PreparedTexels& prepared = inputs.methods(texels).texels();
+    const shlm::Settings settings;
+    shlm::Accumulator accumulator(prepared.layout, settings.weight);
+    replay(recording, accumulator);
+    for (auto _ : state) {
+        const shlm::LightMap map(accumulator.sums(), prepared.geometry, recording.report.watts_per_flux(),
+                                 settings.nearest);
+        benchmark::DoNotOptimize(map.bytes());
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(prepared.layout.texel_count()));
+}
+
+}  // namespace
+
+void register_build_benchmarks(SharedInputs& inputs) {
+    for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u})
+        benchmark::RegisterBenchmark(fmt::format("build/photonmap-flann/hits:{}", hits).c_str(),
+                                     [&inputs, hits](benchmark::State& s) { build_flann(s, inputs, hits); })
+            ->UseRealTime();
+    for (const std::size_t texels : {4'096u, 65'536u, 262'144u, 1'048'576u})
+        benchmark::RegisterBenchmark(
+            fmt::format("build/shlm/texels:{}", texels).c_str(),
+            [&inputs, texels](benchmark::State& s) { build_light_map(s, inputs, texels); })
+            ->UseRealTime();
+}
+
+}  // namespace bench

@@ -1,0 +1,102 @@
+// Irradiance from finished maps at the points that the camera sees, on one thread. Items: points.
+#include <benchmark/benchmark.h>
+
+#include <optional>
+
+#include "bench/micro/subjects.h"
+
+namespace bench {
+namespace {
+
+constexpr std::uint64_t default_hits = 1'000'000;
+constexpr std::size_t default_texels = 262'144;
+
+template <common::IrradianceEstimator Map>
+double mean_irradiance(const Map& map, std::span<const common::SurfacePoint> points) {
+    double sum = 0;
+    for (const common::SurfacePoint& point : points) {
+        const common::Rgb irradiance = map.irradiance(point);
+        sum += double{irradiance.x} + irradiance.y + irradiance.z;
+    }
+    return sum / (3.0 * static_cast<double>(points.size()));
+}
+
+auto photon_map(SharedInputs& inputs, std::uint64_t hits) {
+    const PreparedMethods& methods = inputs.methods(default_texels);
+    return map_of(inputs.recording(hits),
+                  photonmap::FlannPhotonSink(methods.scene(), methods.settings().photonmap));
+}
+
+auto light_map(SharedInputs& inputs, std::size_t texels) {
+    PreparedMethods& methods = inputs.methods(texels);
+    return map_of(inputs.recording(default_hits), shlm::Sink(methods.texels(), methods.settings().shlm));
+}
+
+/// A value that is made when first asked for: the maps take long to make, and most of them nobody asks for.
+template <class Make>
+class Lazy {
+  public:
+    explicit Lazy(Make make) : make_(std::move(make)) {}
+    const auto& operator()() {
+        if (!value_) value_.emplace(make_());
+        return *value_;
+    }
+
+  private:
+    Make make_;
+    std::optional<std::invoke_result_t<Make&>> value_;
+};
+
+template <class Make>
+auto lazy(Make make) {
+    return std::make_shared<Lazy<Make>>(std::move(make));
+}
+
+/// A map that is fast and wrong is not worth timing: its mean must be within 5 % of the `expected` one.
+template <common::IrradianceEstimator Map>
+void gather(benchmark::State& state, const Map& map, std::span<const common::SurfacePoint> points,
+            double expected) {
+    const double mean = mean_irradiance(map, points);
+    if (!(std::abs(mean - expected) <= 0.05 * expected)) {
+        state.SkipWithError(
+            fmt::format("mean irradiance {:g} W/m^2, the other method has {:g}", mean, expected).c_str());
+        return;
+    }
+    for (auto _ : state) {
+        double sum = mean_irradiance(map, points);
+        benchmark::DoNotOptimize(sum);
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+}
+
+/// `map` and `expected` are lazy.
+template <class Map, class Expected>
+void register_gather(SharedInputs& inputs, const std::string& name, Map map, Expected expected) {
+    const QueryPoints& queries = inputs.queries();
+    benchmark::RegisterBenchmark((name + "/order:image").c_str(),
+                                 [&queries, map, expected](benchmark::State& s) {
+                                     gather(s, (*map)(), queries.image_order, (*expected)());
+                                 });
+    benchmark::RegisterBenchmark((name + "/order:shuffled").c_str(),
+                                 [&queries, map, expected](benchmark::State& s) {
+                                     gather(s, (*map)(), queries.shuffled, (*expected)());
+                                 });
+}
+
+}  // namespace
+
+void register_gather_benchmarks(SharedInputs& inputs) {
+    const auto of_photon_map =
+        lazy([&] { return mean_irradiance(photon_map(inputs, default_hits), inputs.queries().image_order); });
+    const auto of_light_map = lazy(
+        [&] { return mean_irradiance(light_map(inputs, default_texels), inputs.queries().image_order); });
+    // With fewer hits the photon map darkens edges by more than the 5 %.
+    for (const std::uint64_t hits : {100'000ul, default_hits, 4 * default_hits})
+        register_gather(inputs, fmt::format("gather/photonmap-flann/hits:{}", hits),
+                        lazy([&inputs, hits] { return photon_map(inputs, hits); }), of_light_map);
+    for (const std::size_t texels : {4'096ul, 65'536ul, default_texels, 1'048'576ul})
+        register_gather(inputs, fmt::format("gather/shlm/texels:{}", texels),
+                        lazy([&inputs, texels] { return light_map(inputs, texels); }), of_photon_map);
+}
+
+}  // namespace bench

@@ -1,0 +1,62 @@
+// What the benchmarks work on: one scene, its recorded hits, and the points that its camera sees.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/app/methods.h"
+#include "bench/compare/query_points.h"
+#include "common/tracer/trace_photons.h"
+
+namespace bench {
+
+inline constexpr std::uint64_t micro_seed = 1;
+
+/// The hits of a whole run, cut into waves as the tracer gave them.
+struct Recording {
+    std::vector<std::vector<common::HitBatch>> waves;
+    common::TraceReport report;
+};
+
+/// Everything is made when first asked for and then kept: Google Benchmark calls a benchmark several times to
+/// find out how often to repeat it, and none of that belongs under its clock.
+class SharedInputs {
+  public:
+    /// Throws InputError for a scene that cannot be read, has no light, or shows its camera no diffuse
+    /// surface.
+    explicit SharedInputs(const std::string& scene_file);
+
+    [[nodiscard]] const LoadedScene& loaded() const { return loaded_; }
+    [[nodiscard]] const common::PhotonSource& source() const { return source_; }
+    [[nodiscard]] const QueryPoints& queries() const { return queries_; }
+
+    /// A run of at least this many hits.
+    [[nodiscard]] const Recording& recording(std::uint64_t hits);
+
+    /// The methods with the command's own settings but for the number of texels.
+    [[nodiscard]] PreparedMethods& methods(std::size_t texels);
+
+  private:
+    LoadedScene loaded_;
+    common::PhotonSource source_;
+    QueryPoints queries_;
+    std::map<std::uint64_t, Recording> recordings_;
+    std::map<std::size_t, PreparedMethods> methods_;
+};
+
+/// Gives the sink a recorded run.
+template <common::PhotonSink Sink>
+void replay(const Recording& recording, Sink& sink) {
+    for (const auto& wave : recording.waves) sink.consume(wave);
+}
+
+/// The map that `sink` becomes after a recorded run.
+template <common::MapSink Sink>
+[[nodiscard]] auto map_of(const Recording& recording, Sink sink) {
+    replay(recording, sink);
+    return common::finish_map(std::move(sink), recording.report);
+}
+
+}  // namespace bench

@@ -1,0 +1,454 @@
+// The command as its user meets it: exit codes, one line for every mistake, and nothing half-written.
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "common/image/image.h"
+#include "tests/child_process.h"
+#include "tests/gltf_text.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using child_process::Child;
+using child_process::Ended;
+using child_process::text_of;
+using gltf_text::GltfFile;
+using gltf_text::TemporaryDirectory;
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+const std::string build_folder = SHLMBENCH_BINARY_DIR;
+const std::string cornell = build_folder + "/scenes/cornell.glb";
+
+/// Names of all files and folders below `folder`.
+std::set<std::string> files_in(const fs::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        names.insert(fs::relative(entry.path(), folder).string());
+    return names;
+}
+
+class Command : public testing::Test {
+  protected:
+    TemporaryDirectory said;    ///< what the command prints
+    TemporaryDirectory folder;  ///< what it reads and writes
+
+    [[nodiscard]] std::string path(const std::string& name) const { return (folder.path() / name).string(); }
+
+    [[nodiscard]] Child start(const Words& words) const {
+        return Child(build_folder + "/shlmbench", words, said.path());
+    }
+
+    [[nodiscard]] Ended run(const Words& words) const {
+        Child child(build_folder + "/shlmbench", words, said.path());
+        return child.wait();
+    }
+
+    /// The file's path.
+    [[nodiscard]] std::string write(const GltfFile& scene) const { return scene.write(folder).string(); }
+
+    /// The words of a small render, with more words behind.
+    [[nodiscard]] Words render(const std::string& scene, const std::string& method,
+                               const Words& more = {}) const {
+        Words words = {"render",          scene,     "--method", method,     "--hits", "2000", "--out",
+                       path("image.exr"), "--width", "32",       "--height", "18"};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+
+    /// Runs into a mistake of the user's: exit code 2, one line that has all of `fragments`, and nothing left
+    /// behind.
+    void expect_refusal(const Words& words, const Words& fragments) const {
+        SCOPED_TRACE(testing::PrintToString(words));
+        const auto before = files_in(folder.path());
+        const Ended ended = run(words);
+        EXPECT_EQ(ended.exit_code, 2);
+        EXPECT_EQ(ended.out, "");
+        EXPECT_TRUE(ended.err.starts_with("shlmbench: ")) << ended.err;
+        EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
+        for (const std::string& fragment : fragments)
+            EXPECT_NE(ended.err.find(fragment), std::string::npos) << fragment << "\n" << ended.err;
+        EXPECT_EQ(files_in(folder.path()), before);
+    }
+
+    void expect_success(const Words& words) const {
+        const Ended ended = run(words);
+        EXPECT_EQ(ended.exit_code, 0) << testing::PrintToString(words);
+        EXPECT_EQ(ended.err, "");
+    }
+};
+
+/// Every command's words for the scene.
+std::vector<Words> all_commands(const std::string& scene, const std::string& out) {
+    return {{"info", scene},
+            {"render", scene, "--method", "photonmap", "--hits", "1000", "--out", out + "/image.exr"},
+            {"compare", scene, "--hits", "1000", "--out", out}};
+}
+
+// Scenes.
+
+using BadScene = Command;
+
+TEST_F(BadScene, Missing) {
+    for (const Words& words : all_commands(path("no-such-scene.glb"), folder.path()))
+        expect_refusal(words, {"no-such-scene.glb"});
+}
+
+TEST_F(BadScene, MissingBesideAGoodOneStopsACompareBeforeItStarts) {
+    expect_refusal({"compare", cornell, path("no-such-scene.glb"), "--hits", "1000", "--out", folder.path()},
+                   {"no-such-scene.glb"});
+}
+
+TEST_F(BadScene, Truncated) {
+    const std::string whole = text_of(cornell);
+    for (std::size_t length : {std::size_t{0}, std::size_t{16}, whole.size() - 1}) {
+        folder.write("cut.glb", whole.substr(0, length));
+        for (const Words& words : all_commands(path("cut.glb"), folder.path()))
+            expect_refusal(words, {"cut.glb"});
+    }
+}
+
+TEST_F(BadScene, AccessorBeyondItsBuffer) {
+    GltfFile file = gltf_text::one_triangle();
+    file.accessor(0)["count"] = 1000;
+    const std::string scene = write(file);
+    expect_refusal(render(scene, "photonmap"), {"scene.gltf", "accessor"});
+}
+
+TEST_F(BadScene, PositionsThatAreNotNumbers) {
+    GltfFile file = gltf_text::one_triangle();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::memcpy(file.buffer.data(), &nan, sizeof nan);
+    const std::string scene = write(file);
+    expect_refusal(render(scene, "photonmap", {"--sky", "1,1,1"}), {"scene.gltf", "finite"});
+}
+
+TEST_F(BadScene, OnlyTrianglesWithoutArea) {
+    GltfFile file = gltf_text::one_triangle();
+    std::fill(file.buffer.begin(), file.buffer.end(), std::uint8_t{0});
+    const std::string scene = write(file);
+    expect_refusal(render(scene, "photonmap", {"--sky", "1,1,1"}), {"scene.gltf", "no triangles"});
+}
+
+TEST_F(BadScene, NoTriangles) {
+    GltfFile file = gltf_text::one_triangle();
+    constexpr int points = 0;
+    file.primitive()["mode"] = points;
+    const std::string scene = write(file);
+    expect_refusal(render(scene, "photonmap", {"--sky", "1,1,1"}), {"scene.gltf", "no triangles"});
+}
+
+TEST_F(BadScene, NoLight) {
+    const std::string scene = write(gltf_text::one_triangle());
+    expect_refusal(render(scene, "photonmap"), {"scene.gltf", "light", "--sky", "--sun"});
+    expect_refusal(render(scene, "photonmap", {"--sky", "0,0,0"}), {"light"});
+    expect_refusal({"compare", scene, "--hits", "1000", "--out", folder.path()}, {"light", "--sky", "--sun"});
+}
+
+TEST_F(BadScene, NoLightmapCoordinatesForALightMap) {
+    const std::string scene = write(gltf_text::one_triangle());
+    for (const char* method : {"shlm", "shlm/flux"})
+        expect_refusal(render(scene, method, {"--sky", "1,1,1"}), {"scene.gltf", "unwrapping", "TEXCOORD_1"});
+}
+
+TEST_F(BadScene, NothingThatTheCameraSees) {
+    expect_refusal(
+        {"compare", cornell, "--hits", "1000", "--out", folder.path(), "--camera", "0,9,0,0,10,0,40"},
+        {"cornell.glb", "--camera"});
+}
+
+// Options.
+
+using BadOption = Command;
+
+TEST_F(BadOption, NoSubcommandOrAnUnknownOne) {
+    expect_refusal({}, {"subcommand"});
+    expect_refusal({"rendre", cornell}, {});
+}
+
+TEST_F(BadOption, UnknownOption) {
+    expect_refusal(render(cornell, "photonmap", {"--colour", "red"}), {"--colour"});
+    expect_refusal({"info", cornell, "--colour"}, {"--colour"});
+}
+
+TEST_F(BadOption, UnknownMethod) {
+    expect_refusal(render(cornell, "photonmap/oak"),
+                   {"--method:", "photonmap/oak", "photonmap/flann", "shlm"});
+    expect_refusal({"compare", cornell, "--methods", "shlm,oak", "--out", folder.path()},
+                   {"--methods:", "oak"});
+}
+
+TEST_F(BadOption, NumberOfHits) {
+    const Words without = {"render", cornell, "--method", "shlm", "--out", path("image.exr")};
+    for (const char* hits : {"0", "-1", "nan", "1e30", "1.5", "text"}) {
+        Words words = without;
+        words.insert(words.end(), {"--hits", hits});
+        expect_refusal(words, {"--hits", hits});
+    }
+    expect_refusal({"compare", cornell, "--out", folder.path(), "--hits", "1e3,inf"}, {"--hits", "inf"});
+    expect_refusal(without, {"--hits", "--photons"});
+    expect_refusal(render(cornell, "shlm", {"--photons", "1e3"}), {"--hits", "--photons"});
+}
+
+TEST_F(BadOption, MoreThanFitsInMemory) {
+    const Words start = {"render", cornell, "--out", path("image.exr"), "--method"};
+    const auto with = [&](const Words& more) {
+        Words words = start;
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    expect_refusal(with({"photonmap", "--hits", "1e13"}), {"photonmap/flann: needs", "GiB are free"});
+    expect_refusal(with({"photonmap", "--photons", "1e13"}), {"photonmap/flann: needs", "GiB are free"});
+    expect_refusal(with({"photonmap/flann-incremental", "--hits", "1e13"}), {"needs", "GiB are free"});
+    expect_refusal(with({"shlm", "--hits", "1e3", "--texels", "4e12"}), {"shlm: needs", "GiB are free"});
+    expect_refusal({"info", cornell, "--texels", "4e12"}, {"shlm: needs", "GiB are free"});
+}
+
+TEST_F(BadOption, PlaceToWriteTo) {
+    folder.write("file", "");
+    fs::create_directory(path("folder.exr"));
+    const Words start = {"render", cornell, "--method", "photonmap", "--hits", "1000", "--out"};
+    const auto to = [&](const std::string& out) {
+        Words words = start;
+        words.push_back(path(out));
+        return words;
+    };
+    expect_refusal(to("missing/image.exr"), {"--out", "missing"});
+    expect_refusal(to("file/image.exr"), {"--out", "file"});
+    expect_refusal(to("folder.exr"), {"--out", "folder.exr"});
+    expect_refusal(to("image.png"), {"--out", ".exr"});
+    expect_refusal(to("image"), {"--out", ".exr"});
+    expect_refusal(to(std::string(5000, 'x') + "/image.exr"), {"--out"});
+    expect_refusal({"compare", cornell, "--hits", "1000", "--out", path("file/results")}, {"--out", "file"});
+    expect_refusal({"compare", cornell, "--hits", "1000", "--out", path("file")}, {"--out", "file"});
+}
+
+TEST_F(BadOption, Camera) {
+    for (const char* camera : {"1", "text", "0,0,0,0,0,0,60", "0,0,0,0,0,1,0", "0,0,0,0,0,1,60,3",
+                               "0,0,0,0,0,nan,60", "0,0,0,0,0,1e99,60"})
+        expect_refusal(render(cornell, "photonmap", {"--camera", camera}), {"--camera"});
+}
+
+TEST_F(BadOption, Light) {
+    for (const char* sky : {"1", "-1,0,0", "nan,1,1", "1e99,1,1", "blue", "1,1,"})
+        expect_refusal(render(cornell, "photonmap", {std::string("--sky=") + sky}), {"--sky"});
+    for (const char* sun : {"1,1,1", "0,0,0,1,1,1", "0,1,0,-1,1,1", "0,1,0,1,1,nan", "noon"})
+        expect_refusal(render(cornell, "photonmap", {std::string("--sun=") + sun}), {"--sun"});
+}
+
+TEST_F(BadOption, Numbers) {
+    const std::vector<std::pair<std::string, Words>> bad = {
+        {"--threads", {"-1", "1025", "many"}},
+        {"--seed", {"-1", "1.5", "text", "1e30"}},
+        {"--texels", {"-1", "0", "nan", "1e30"}},
+        {"--k", {"-1", "1", "text"}},
+        {"--gather-texels", {"-1", "0"}},
+        {"--max-radius", {"-1", "nan", "inf"}},
+        {"--cone", {"0.5", "nan"}},
+        {"--sh-weight", {"power"}},
+    };
+    for (const auto& [option, values] : bad)
+        for (const std::string& value : values)
+            expect_refusal(render(cornell, "shlm", {option + "=" + value}), {option});
+    const Words compare = {"compare", cornell, "--hits", "1000", "--out", folder.path()};
+    for (const char* option : {"--repetitions=0", "--repetitions=-1", "--seconds-per-size=-1",
+                               "--max-memory=little", "--max-memory=-1GiB", "--max-memory=nanGiB"}) {
+        Words words = compare;
+        words.emplace_back(option);
+        expect_refusal(words, {std::string(option).substr(0, std::string(option).find('='))});
+    }
+    expect_refusal(
+        {"render", cornell, "--method", "shlm", "--hits", "1000", "--out", path("image.exr"), "--width", "0"},
+        {"--width"});
+}
+
+// info.
+
+using Info = Command;
+
+TEST_F(Info, PrintsJson) {
+    const Ended ended = run({"info", "--json", cornell});
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    const Json facts = Json::parse(ended.out);
+    for (const char* key :
+         {"triangles", "instances", "lights", "cameras", "lightmap_uv", "texels", "warnings"})
+        EXPECT_TRUE(facts.contains(key)) << key;
+    EXPECT_EQ(facts["cameras"], 1);
+    EXPECT_TRUE(facts["lightmap_uv"]["usable"]);
+    EXPECT_NEAR(facts["texels"]["total"], 262144, 2621);
+}
+
+TEST_F(Info, TellsWhatASceneLacks) {
+    const std::string scene = write(gltf_text::one_triangle());
+    const Ended ended = run({"info", "--json", scene});
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    const Json facts = Json::parse(ended.out);
+    EXPECT_EQ(facts["triangles"], 1);
+    EXPECT_EQ(facts["cameras"], 0);
+    EXPECT_EQ(facts["camera"]["name"], "automatic");
+    EXPECT_FALSE(facts["lightmap_uv"]["usable"]);
+    EXPECT_TRUE(facts["texels"].is_null());
+    EXPECT_NE(facts["warnings"].dump().find("TEXCOORD_1"), std::string::npos);
+}
+
+// render.
+
+using Render = Command;
+
+TEST_F(Render, WritesHalfFloatsWithTheirOriginAndAPicture) {
+    expect_success(render(cornell, "shlm/flux", {"--seed", "7"}));
+    EXPECT_EQ(files_in(folder.path()), (std::set<std::string>{"image.exr", "image.png"}));
+    const auto exr = OIIO::ImageInput::open(path("image.exr"));
+    ASSERT_TRUE(exr);
+    const OIIO::ImageSpec& spec = exr->spec();
+    EXPECT_EQ(spec.format, OIIO::TypeHalf);
+    EXPECT_EQ(spec.width, 32);
+    EXPECT_EQ(spec.height, 18);
+    EXPECT_EQ(spec.channelnames.size(), 7u);
+    EXPECT_EQ(spec.get_string_attribute("shlmbench:scene"), "cornell");
+    EXPECT_EQ(spec.get_string_attribute("shlmbench:method"), "shlm/flux");
+    EXPECT_EQ(spec.get_string_attribute("shlmbench:seed"), "7");
+    EXPECT_NE(spec.get_string_attribute("shlmbench:settings").find("sh-weight=flux"), std::string::npos);
+    EXPECT_GE(std::stod(std::string(spec.get_string_attribute("shlmbench:hits"))), 2000);
+    for (const char* name :
+         {"photons_emitted", "machine", "compiler", "flags", "libraries", "commit", "date"})
+        EXPECT_NE(spec.get_string_attribute(std::string("shlmbench:") + name), "") << name;
+    const auto png = OIIO::ImageInput::open(path("image.png"));
+    ASSERT_TRUE(png);
+    EXPECT_EQ(png->spec().width, 32);
+    EXPECT_EQ(png->spec().nchannels, 3);
+}
+
+TEST_F(Render, IsTheSameForAnyNumberOfThreads) {
+    // Not photonmap/flann-incremental: FLANN shuffles its points with std::random_device, and its search is
+    // not exact.
+    for (const char* method : {"photonmap", "shlm"}) {
+        expect_success(render(cornell, method, {"--threads", "1"}));
+        const common::Image one = common::read_image(path("image.exr"));
+        expect_success(render(cornell, method, {"--threads", "2"}));
+        const common::Image two = common::read_image(path("image.exr"));
+        ASSERT_EQ(one.values.size(), two.values.size());
+        EXPECT_EQ(std::memcmp(one.values.data(), two.values.data(), one.values.size() * sizeof(float)), 0)
+            << method;
+        expect_success(render(cornell, method, {"--seed", "2"}));
+        EXPECT_NE(common::read_image(path("image.exr")).values, one.values) << method;
+    }
+}
+
+/// Share of pixels that show a surface.
+double coverage(const common::Image& image) {
+    double sum = 0;
+    for (std::size_t p = 0; p < image.pixel_count(); ++p) sum += image.at(p, 3);
+    return sum / static_cast<double>(image.pixel_count());
+}
+
+double brightest(const common::Image& image) {
+    float most = 0;
+    for (std::size_t p = 0; p < image.pixel_count(); ++p) most = std::max(most, image.at(p, 0));
+    return most;
+}
+
+TEST_F(Render, TakesItsLightFromTheOptionsAndPlacesACamera) {
+    const std::string scene = write(gltf_text::one_triangle());
+    for (const char* light : {"--sky=1,1,1", "--sun=0,0,1,1,1,1"}) {
+        expect_success(render(scene, "photonmap", {light, "--max-radius=0.3"}));
+        const common::Image image = common::read_image(path("image.exr"));
+        EXPECT_GT(coverage(image), 0.02) << light;
+        EXPECT_GT(brightest(image), 0.1) << light;
+    }
+}
+
+TEST_F(Render, LooksWhereItIsTold) {
+    const std::string scene = write(gltf_text::one_triangle());
+    const auto from = [&](const std::string& camera) {
+        expect_success(render(scene, "photonmap", {"--sky=1,1,1", "--camera", camera}));
+        return coverage(common::read_image(path("image.exr")));
+    };
+    EXPECT_EQ(from("0.2,0.2,0.1,0.2,0.2,0,20"), 1.0);
+    EXPECT_EQ(from("0.2,0.2,0.1,0.2,0.2,1,20"), 0.0);
+}
+
+// compare.
+
+using Compare = Command;
+
+TEST_F(Compare, WritesItsTable) {
+    const std::string out = path("results");
+    const Ended ended =
+        run({"compare", cornell, "--hits", "2000", "--repetitions", "1", "--max-memory", "100MiB",
+             "--methods", "photonmap,photonmap/flann-incremental,shlm,photonmap/flann", "--out", out});
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    const Json table = Json::parse(text_of(out + "/compare.json"));
+    for (const char* key :
+         {"machine", "commit", "compiler", "flags", "libraries", "date", "seed", "threads", "settings"})
+        EXPECT_TRUE(table["context"].contains(key)) << key;
+    ASSERT_EQ(table["rows"].size(), 3u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Json& row = table["rows"][i];
+        EXPECT_EQ(row["scene"], "cornell");
+        EXPECT_EQ(row["method"], i == 0 ? "photonmap/flann" : "photonmap/flann-incremental");
+        EXPECT_GE(row["hits"], 2000);
+        for (const char* key : {"photons_emitted", "trace_seconds", "insert_ns_per_hit", "build_seconds",
+                                "gather_us_per_query", "bytes", "peak_rss_bytes"}) {
+            ASSERT_TRUE(row.contains(key)) << key;
+            EXPECT_GT(row[key], 0) << key;
+        }
+    }
+    const Json& skipped = table["rows"][2];
+    EXPECT_EQ(skipped["method"], "shlm");
+    EXPECT_TRUE(skipped["skipped"].get<std::string>().starts_with("needs "));
+
+    const std::string csv = text_of(out + "/compare.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
+    EXPECT_TRUE(csv.starts_with("scene,method,"));
+}
+
+TEST_F(Compare, SaysWhyALightMapIsNotToBeHad) {
+    const std::string scene = write(gltf_text::one_triangle());
+    const Ended ended = run({"compare", scene, "--hits", "500", "--repetitions", "1", "--methods",
+                             "photonmap,shlm", "--sky", "1,1,1", "--out", path("results")});
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    const Json rows = Json::parse(text_of(path("results/compare.json")))["rows"];
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_FALSE(rows[0].contains("skipped"));
+    EXPECT_NE(rows[1]["skipped"].get<std::string>().find("TEXCOORD_1"), std::string::npos);
+}
+
+// Ctrl-C.
+
+using Interrupt = Command;
+
+TEST_F(Interrupt, EndsARenderWithoutAnImage) {
+    Child child(build_folder + "/shlmbench",
+                {"render", cornell, "--method", "shlm", "--hits", "1e14", "--out", path("image.exr")},
+                said.path());
+    ASSERT_TRUE(child_process::wait_until([&] { return child.catches(SIGINT); }));
+    child.send(SIGINT);
+    const Ended ended = child.wait();
+    EXPECT_EQ(ended.exit_code, 130);
+    EXPECT_EQ(ended.err, "shlmbench: render stopped: no image is written\n");
+    EXPECT_TRUE(files_in(folder.path()).empty());
+}
+
+TEST_F(Interrupt, KeepsTheFinishedRowsOfACompare) {
+    Child child(build_folder + "/shlmbench",
+                {"compare", cornell, "--methods", "shlm", "--hits", "1000,1e14", "--repetitions", "1",
+                 "--out", folder.path()},
+                said.path());
+    ASSERT_TRUE(child_process::wait_until([&] { return fs::exists(path("compare.csv")); }));
+    child.send(SIGINT);
+    const Ended ended = child.wait();
+    EXPECT_EQ(ended.exit_code, 130);
+    EXPECT_EQ(ended.err, "shlmbench: compare stopped: 1 finished rows are in " + path("compare.json") + "\n");
+    const Json rows = Json::parse(text_of(path("compare.json")))["rows"];
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_GE(rows[0]["hits"], 1000);
+    EXPECT_EQ(files_in(folder.path()), (std::set<std::string>{"compare.csv", "compare.json"}));
+}
+
+}  // namespace

@@ -51,9 +51,8 @@ TEST(Tracer, GivesTheSameHitsOnAnyNumberOfThreads) {
 TEST(Tracer, LongerRunBeginsWithTheShorterOne) {
     const Scene scene = furnished_room();
     const TracedRun longest = record(scene, 2, {.photons = 30'000});
-    for (const TraceTarget target :
-         {TraceTarget{.photons = 1}, TraceTarget{.photons = 5'000}, TraceTarget{.hits = 1},
-          TraceTarget{.hits = 3'000}, TraceTarget{.photons = 2'000, .hits = 20'000}}) {
+    for (const TraceTarget target : {TraceTarget{.photons = 256}, TraceTarget{.photons = 5'120},
+                                     TraceTarget{.hits = 1}, TraceTarget{.hits = 3'000}}) {
         const TracedRun run = record(scene, 2, target);
         EXPECT_GT(run.hits.size(), 0u);
         EXPECT_EQ(run.hits.size(), run.report.hits);
@@ -73,7 +72,7 @@ TEST(Tracer, DifferentSeedsGiveDifferentHits) {
 
 TEST(Tracer, AccountsForEveryPhoton) {
     const TraceReport open = record(open_scene(), 3, {.photons = 20'000}).report;
-    EXPECT_EQ(open.fates.emitted, 20'224u) << "whole blocks of 256";
+    EXPECT_EQ(open.fates.emitted, 20'000u) << "exactly, in the middle of a block";
     EXPECT_EQ(ended(open.fates), open.fates.emitted);
     EXPECT_GT(open.fates.missed, 0u);
     EXPECT_GT(open.fates.escaped, 0u);
@@ -82,7 +81,7 @@ TEST(Tracer, AccountsForEveryPhoton) {
 
     const TraceReport closed = record(furnished_room(), 3, {.photons = 20'000}).report;
     EXPECT_EQ(ended(closed.fates), closed.fates.emitted);
-    EXPECT_FLOAT_EQ(closed.watts_per_flux(), 1 / 20'224.0f);
+    EXPECT_FLOAT_EQ(closed.watts_per_flux(), 1 / 20'000.0f);
 }
 
 TEST(Tracer, EndsAtTheFirstBlockThatReachesTheHits) {

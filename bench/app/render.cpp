@@ -140,7 +140,7 @@ void add_render_command(CLI::App& app) {
                      "photonmap/flann, photonmap/flann-incremental, shlm or shlm/flux")
         ->required();
     command->add_option("--hits", options->hits, "Trace until at least this many hits are stored, e.g. 1e6");
-    command->add_option("--photons", options->photons, "Trace this many photons, rounded up to whole blocks");
+    command->add_option("--photons", options->photons, "Trace exactly this many photons");
     command->add_option("--out", options->out, "Image to write, .exr; the PNG goes beside it")->required();
     command->add_option("--width", options->width, "Pixels")->capture_default_str();
     command->add_option("--height", options->height, "Pixels")->capture_default_str();

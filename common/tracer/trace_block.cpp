@@ -14,11 +14,10 @@ struct Photon {
 };
 
 std::vector<Photon> emit_block(const PhotonSource& source, const RayScene& rays, std::uint64_t seed,
-                               std::uint64_t block) {
+                               std::uint64_t first_photon, std::uint64_t count) {
     std::vector<Photon> photons;
-    photons.reserve(photons_per_block);
-    for (std::uint64_t i = 0; i < photons_per_block; ++i) {
-        const std::uint64_t index = block * photons_per_block + i;
+    photons.reserve(count);
+    for (std::uint64_t index = first_photon; index < first_photon + count; ++index) {
         const EmittedPhoton emitted = source.emit(seed, index);
         photons.push_back(
             {index, rays.off_surface(emitted.origin, emitted.normal), emitted.direction, emitted.flux});
@@ -38,11 +37,11 @@ PhotonFates& PhotonFates::operator+=(const PhotonFates& other) {
 }
 
 PhotonFates trace_block(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
-                        std::uint64_t block, HitBatch& hits) {
+                        std::uint64_t first_photon, std::uint64_t count, HitBatch& hits) {
     const Scene& scene = rays.scene();
     hits.clear();
-    PhotonFates fates{.emitted = photons_per_block};
-    std::vector<Photon> alive = emit_block(source, rays, seed, block);
+    PhotonFates fates{.emitted = count};
+    std::vector<Photon> alive = emit_block(source, rays, seed, first_photon, count);
 
     for (std::uint32_t event = 0; !alive.empty() && event < max_events; ++event) {
         std::size_t survivors = 0;

@@ -24,9 +24,9 @@ struct PhotonFates {
     PhotonFates& operator+=(const PhotonFates& other);
 };
 
-/// Traces the photons of block `block` of the run with this seed. `hits` is emptied and filled in, ordered by
-/// event number and then by photon.
+/// Traces `count` photons, numbers `first_photon` and on, of the run with this seed. `hits` is emptied and
+/// filled in, ordered by event number and then by photon.
 PhotonFates trace_block(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
-                        std::uint64_t block, HitBatch& hits);
+                        std::uint64_t first_photon, std::uint64_t count, HitBatch& hits);
 
 }  // namespace common

@@ -10,11 +10,10 @@
 
 namespace common {
 
-/// When a run is long enough: at the first whole block that reaches the numbers asked for. Zero: not asked
-/// for.
+/// When a run is long enough: one of the two is asked for, the other is 0.
 struct TraceTarget {
-    std::uint64_t photons = 0;
-    std::uint64_t hits = 0;
+    std::uint64_t photons = 0;  ///< emitted, exactly
+    std::uint64_t hits = 0;     ///< at least, by whole blocks of photons
 };
 
 struct TraceReport {
@@ -65,7 +64,11 @@ TraceReport trace_photons(const RayScene& rays, const PhotonSource& source, std:
         const auto start = Clock::now();
         const std::size_t blocks = blocks_in_next_wave(report, target);
         tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t i) {
-            fates[i] = trace_block(rays, source, seed, first_block + i, batches[i]);
+            const std::uint64_t first_photon = (first_block + i) * photons_per_block;
+            const std::uint64_t wanted =
+                target.photons > first_photon ? target.photons - first_photon : photons_per_block;
+            fates[i] = trace_block(rays, source, seed, first_photon, std::min(wanted, photons_per_block),
+                                   batches[i]);
         });
         // The run ends at the block that reaches the target, not at the end of the wave.
         std::size_t taken = 0;

@@ -173,10 +173,18 @@ void add_placements(const SceneDescription& scene, tinygltf::Model& model) {
     }
 }
 
-void add_light(const tinygltf::Light& light, const Imath::M44f& to_world, tinygltf::Model& model) {
+/// Since tinygltf 2.9 a node has a member for its light, and an extension without it is taken out on writing;
+/// before, the extension is all there is.
+template <class Node>
+void refer_to_light(Node& node, int light) {
     Value::Object extension;
-    extension["light"] = Value(static_cast<int>(model.lights.size()));
-    add_node(light.name, to_world, model).extensions["KHR_lights_punctual"] = Value(std::move(extension));
+    extension["light"] = Value(light);
+    node.extensions["KHR_lights_punctual"] = Value(std::move(extension));
+    if constexpr (requires { node.light; }) node.light = light;
+}
+
+void add_light(const tinygltf::Light& light, const Imath::M44f& to_world, tinygltf::Model& model) {
+    refer_to_light(add_node(light.name, to_world, model), static_cast<int>(model.lights.size()));
     model.lights.push_back(light);
     use_extension(model, "KHR_lights_punctual");
 }

@@ -50,13 +50,16 @@ float gather_radius(std::span<const Texel> texels) {
     return 4 * std::sqrt(largest);
 }
 
-}  // namespace
-
-Rgb evaluate_irradiance(const Texel& texel, const Vec3& normal) {
-    const ShValues y = evaluate_sh(normal);
+Rgb evaluate(const Texel& texel, const ShValues& y) {
     Rgb sum(0, 0, 0);
     for (std::size_t i = 0; i < coefficient_count; ++i) sum += texel.irradiance[i] * y[i];
     return sum;
+}
+
+}  // namespace
+
+Rgb evaluate_irradiance(const Texel& texel, const Vec3& normal) {
+    return evaluate(texel, evaluate_sh(normal));
 }
 
 LightMap::LightMap(const TexelSums& sums, std::span<const TexelGeometry> geometry, float watts_per_flux,
@@ -74,16 +77,14 @@ Rgb LightMap::irradiance(const common::SurfacePoint& point) const {
     index_.search(point.position, nearest, [&](std::uint32_t i) {
         return texels_[i].normal.dot(point.geometric_normal) > common::same_surface_cosine;
     });
-    // The harmonics are linear: evaluate them once, for the weighted sum of the coefficients.
+    // All texels are asked for the same normal: one evaluation of the harmonics serves them.
     const ShValues y = evaluate_sh(point.shading_normal);
     Rgb sum(0, 0, 0);
     float projected_area = 0;
     for (const common::Neighbour& neighbour : nearest.found()) {
         const Texel& texel = texels_[neighbour.index];
         const float weight = texel.area * texel.normal.dot(point.geometric_normal);
-        Rgb irradiance(0, 0, 0);
-        for (std::size_t i = 0; i < coefficient_count; ++i) irradiance += texel.irradiance[i] * y[i];
-        sum += irradiance * weight;
+        sum += evaluate(texel, y) * weight;
         projected_area += weight;
     }
     if (projected_area == 0) return Rgb(0, 0, 0);

@@ -15,7 +15,6 @@ constexpr float pi = std::numbers::pi_v<float>;
 using Uniforms = std::array<float, 4>;
 
 // --- power: total flux, W
-// -----------------------------------------------------------------------------------------
 
 Rgb power_of(const AreaEmitter& e) {
     return e.mean_radiance * (pi * e.area * (e.both_faces ? 2.0f : 1.0f));
@@ -41,7 +40,6 @@ Rgb power_of(const SkyEmitter& e) {
 }
 
 // --- emission: a photon that carries the emitter's whole power
-// ----------------------------------------------------
 
 EmittedPhoton emit_from(const Scene& scene, const AreaEmitter& e, const Uniforms& at,
                         const Uniforms& towards) {
@@ -83,7 +81,6 @@ EmittedPhoton emit_from(const Scene&, const SkyEmitter& e, const Uniforms& at, c
 }
 
 // --- area lights
-// --------------------------------------------------------------------------------------------------
 
 /// Mean over a fixed grid of points. An emissive texture that is dark at all of them still gets a share of
 /// the photons.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/core/input_error.h"
@@ -33,6 +34,12 @@ void write_safely(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeD
     if (error) fail(error.message());
 }
 
+std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& file) {
+    auto in = OIIO::ImageInput::open(file.string());
+    if (!in) throw InputError(fmt::format("{}: cannot be read: {}", file.string(), OIIO::geterror()));
+    return in;
+}
+
 /// sRGB transfer function (IEC 61966-2-1).
 float srgb_encoded(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
@@ -47,8 +54,15 @@ float rolled_off(float value) {
 
 }  // namespace
 
-void write_exr(const fs::path& file, const Image& image, const ImageNotes& notes) {
-    OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()), OIIO::TypeHalf);
+std::optional<std::size_t> Image::find_channel(std::string_view name) const {
+    const auto found = std::find(channels.begin(), channels.end(), name);
+    if (found == channels.end()) return std::nullopt;
+    return found - channels.begin();
+}
+
+void write_exr(const fs::path& file, const Image& image, const ImageNotes& notes, Precision precision) {
+    OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()),
+                         precision == Precision::half ? OIIO::TypeHalf : OIIO::TypeFloat);
     spec.channelnames = image.channels;
     spec.attribute("compression", "zip");
     for (const auto& [name, text] : notes) spec.attribute(name, text);
@@ -66,15 +80,28 @@ void write_png(const fs::path& file, const Image& image, float exposure) {
     write_safely(file, spec, OIIO::TypeFloat, encoded.data());
 }
 
+void write_png(const fs::path& file, int width, int height, std::span<const DisplayColor> colors) {
+    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    write_safely(file, spec, OIIO::TypeUInt8, colors.data());
+}
+
 Image read_image(const fs::path& file) {
-    const auto in = OIIO::ImageInput::open(file.string());
-    if (!in) throw InputError(fmt::format("{}: cannot be read: {}", file.string(), OIIO::geterror()));
+    const auto in = open_image(file);
     const OIIO::ImageSpec& spec = in->spec();
     Image image{spec.width, spec.height, spec.channelnames, {}};
     image.values.resize(image.pixel_count() * image.channels.size());
     if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, image.values.data()))
         throw InputError(fmt::format("{}: cannot be read: {}", file.string(), in->geterror()));
     return image;
+}
+
+ImageNotes read_notes(const fs::path& file) {
+    const auto in = open_image(file);
+    ImageNotes notes;
+    for (const OIIO::ParamValue& attribute : in->spec().extra_attribs)
+        if (attribute.type() == OIIO::TypeString) notes[attribute.name().string()] = attribute.get_string();
+    return notes;
 }
 
 float middle_grey_exposure(const Image& image) {

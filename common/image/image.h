@@ -1,9 +1,14 @@
 // Images with named channels, and the files they live in.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace common {
@@ -21,21 +26,41 @@ struct Image {
     [[nodiscard]] float at(std::size_t pixel, std::size_t channel) const {
         return values[pixel * channels.size() + channel];
     }
+
+    /// Where a channel of this name is, if there is one.
+    [[nodiscard]] std::optional<std::size_t> find_channel(std::string_view name) const;
 };
 
 /// Text attributes of an image file: how the image was made.
 using ImageNotes = std::map<std::string, std::string>;
 
-/// Writes half-float OpenEXR, ZIP compressed, under a temporary name that is then moved to `file`: there is
-/// never half a file. Throws InputError where it cannot be written.
-void write_exr(const std::filesystem::path& file, const Image& image, const ImageNotes& notes);
+/// How exactly an image file keeps its values.
+enum class Precision {
+    half,   ///< 11 significant bits: pictures
+    single  ///< 24: what other numbers are computed from
+};
+
+/// Writes OpenEXR, ZIP compressed, under a temporary name that is then moved to `file`: there is never half a
+/// file. Throws InputError where it cannot be written.
+void write_exr(const std::filesystem::path& file, const Image& image, const ImageNotes& notes,
+               Precision precision = Precision::half);
 
 /// Writes the first three channels, linear, as an sRGB PNG; values are scaled by `exposure` and rolled off
 /// towards white. Same safety and error as write_exr.
 void write_png(const std::filesystem::path& file, const Image& image, float exposure);
 
+/// An sRGB pixel as it is shown.
+using DisplayColor = std::array<std::uint8_t, 3>;
+
+/// Writes the colours as they are, row by row from the top left pixel. Same safety and error as write_exr.
+void write_png(const std::filesystem::path& file, int width, int height,
+               std::span<const DisplayColor> colors);
+
 /// Reads any image file as float. Throws InputError where it cannot be read.
 [[nodiscard]] Image read_image(const std::filesystem::path& file);
+
+/// The text attributes of an image file. Throws InputError where it cannot be read.
+[[nodiscard]] ImageNotes read_notes(const std::filesystem::path& file);
 
 /// Scale that brings the mean of the logarithm of brightness, over pixels that are not black, to a middle
 /// grey.

@@ -1,14 +1,37 @@
-// How a photon map estimates irradiance from its nearest photons.
+// How a photon map estimates irradiance from the photons around a point.
 #pragma once
 
 #include <cstddef>
+#include <variant>
 
 namespace photonmap {
 
+/// The k nearest. More photons in the map shrink the radius and leave the noise as it is: 1 / sqrt(k - 2).
+struct NearestPhotons {
+    std::size_t count = 50;
+};
+
+/// The k nearest with k = factor * N^(2/3) of the N photons stored, at least 2: noise and blur both vanish as
+/// N grows, at the best rate that a density estimate has (Knaus and Zwicker 2011).
+struct GrowingNumber {
+    double factor;
+};
+
+/// All photons within this fraction of the scene's diagonal.
+struct FixedRadius {
+    double diagonal_fraction;
+};
+
+using PhotonSelection = std::variant<NearestPhotons, GrowingNumber, FixedRadius>;
+
+/// How a photon's weight falls off with its distance.
+enum class Kernel { disc, cone, epanechnikov };
+
 struct GatherSettings {
-    std::size_t nearest = 50;  ///< photons per estimate, k; the k-th gives the radius
-    float max_radius = 0;      ///< world units, > 0; a sparse place uses what lies inside
-    float cone_slope = 0;      ///< of Jensen's cone filter, >= 1; 0: every photon counts the same
+    PhotonSelection selection = NearestPhotons{};
+    Kernel kernel = Kernel::disc;
+    /// World units, > 0: a sparse place uses the photons inside and looks no farther. Not for FixedRadius.
+    float max_radius = 0;
 };
 
 /// A max_radius for scenes about which nothing is known: 1/20 of the diagonal.

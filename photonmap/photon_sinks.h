@@ -6,8 +6,8 @@
 
 namespace photonmap {
 
-/// Appends during tracing and builds the index once, over all photons, when finished: how photon maps are
-/// made today.
+/// Appends during tracing; when finished sorts the photons along a space-filling curve and builds the index
+/// once over all of them: how photon maps are made today.
 template <common::PointIndex Index>
 class BulkPhotonSink {
   public:
@@ -17,8 +17,9 @@ class BulkPhotonSink {
     void consume(std::span<const common::HitBatch> wave) { photons_.append(wave); }
 
     [[nodiscard]] PhotonMap<Index> finish(float watts_per_flux) && {
-        Index index(photons_.positions());
-        return {*scene_, std::move(photons_), std::move(index), watts_per_flux, settings_};
+        PhotonStorage sorted = std::move(photons_).sorted_along_curve();
+        Index index(sorted.positions());
+        return {*scene_, {std::move(sorted), std::move(index)}, watts_per_flux, settings_};
     }
 
     [[nodiscard]] const common::RejectedHits& rejected() const { return photons_.rejected(); }
@@ -43,7 +44,7 @@ class IncrementalPhotonSink {
     }
 
     [[nodiscard]] PhotonMap<Index> finish(float watts_per_flux) && {
-        return {*scene_, std::move(photons_), std::move(index_), watts_per_flux, settings_};
+        return {*scene_, {std::move(photons_), std::move(index_)}, watts_per_flux, settings_};
     }
 
     [[nodiscard]] const common::RejectedHits& rejected() const { return photons_.rejected(); }

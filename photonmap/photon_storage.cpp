@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "common/point_index/morton_order.h"
+
 namespace photonmap {
 namespace {
 
@@ -36,6 +38,19 @@ void PhotonStorage::append(std::span<const common::HitBatch> wave) {
         }
     });
     rejected_.not_finite += common::count_hits(wave) - begin.back();
+}
+
+PhotonStorage PhotonStorage::sorted_along_curve() && {
+    const std::vector<std::uint32_t> order = common::morton_order(positions());
+    PhotonStorage sorted;
+    sorted.rejected_ = rejected_;
+    const std::span<common::Vec3> positions = sorted.positions_.grow(size());
+    const std::span<Photon> photons = sorted.photons_.grow(size());
+    tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t i) {
+        positions[i] = positions_[order[i]];
+        photons[i] = photons_[order[i]];
+    });
+    return sorted;
 }
 
 }  // namespace photonmap

@@ -1,4 +1,4 @@
-// The photons themselves, in the order they came, at addresses that stay.
+// The photons themselves, at addresses that stay.
 #pragma once
 
 #include <span>
@@ -18,6 +18,9 @@ class PhotonStorage {
     /// Appends the finite hits of a wave in order, with all threads of the calling arena. Throws
     /// std::bad_alloc past max_photons.
     void append(std::span<const common::HitBatch> wave);
+
+    /// The same photons in the order of common::morton_order.
+    [[nodiscard]] PhotonStorage sorted_along_curve() &&;
 
     [[nodiscard]] const Photon& operator[](std::size_t i) const { return photons_[i]; }
     [[nodiscard]] std::span<const common::Vec3> positions() const { return positions_.span(); }

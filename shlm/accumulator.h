@@ -1,68 +1,54 @@
 // Sums of hits, one set per texel, in memory that does not grow.
 #pragma once
 
-#include <memory>
-#include <span>
-#include <vector>
+#include <oneapi/tbb/parallel_for.h>
 
-#include "common/estimator/irradiance_estimator.h"
-#include "common/tracer/hit_batch.h"
+#include "shlm/deposit_sorter.h"
 #include "shlm/settings.h"
-#include "shlm/texel_layout.h"
 #include "shlm/texel_sums.h"
 
 namespace shlm {
 
+template <class Model>
 class Accumulator {
   public:
-    Accumulator(const TexelLayout& layout, ShWeight weight);
+    explicit Accumulator(const TexelLayout& layout) : sorter_(layout), sums_(layout.texel_count()) {}
 
     /// Adds a wave's hits. Each texel gets its hits in the order of their photons, whatever the number of
     /// threads.
-    void consume(std::span<const common::HitBatch> wave);
+    void consume(std::span<const common::HitBatch> wave) {
+        sorter_.sort(wave);
+        tbb::parallel_for(std::size_t{0}, DepositSorter::max_shares,
+                          [&](std::size_t share) { add(sorter_.share(share)); });
+    }
 
-    [[nodiscard]] const TexelSums& sums() const { return sums_; }
-    [[nodiscard]] const common::RejectedHits& rejected() const { return rejected_; }
+    [[nodiscard]] const TexelSums<Model>& sums() const { return sums_; }
+    [[nodiscard]] const common::RejectedHits& rejected() const { return sorter_.rejected(); }
+
+    /// Nothing is clamped where the cosine is not divided by.
+    [[nodiscard]] ClampedLight clamped() const {
+        return Model::weight == ShWeight::flux ? ClampedLight{} : sorter_.clamped();
+    }
 
     /// The sums and what is kept to sort a wave by share.
-    [[nodiscard]] std::size_t bytes() const;
+    [[nodiscard]] std::size_t bytes() const { return sums_.bytes() + sorter_.bytes(); }
 
   private:
-    /// Texels are dealt to threads in this many contiguous shares, at most. A share belongs to one thread at
-    /// a time, so sums need no atomics; there are more shares than threads so that unequal ones even out.
-    static constexpr std::size_t max_shares = 64;
+    /// A texel's sums are asked for this many deposits before they are added to: about the time of a cache
+    /// miss.
+    static constexpr std::size_t prefetch_distance = 16;
 
-    /// A hit on its way to its texel.
-    struct Deposit {
-        std::uint32_t texel;
-        common::Vec3 towards_light;  ///< unit
-        common::Rgb weight;          ///< what the harmonics are multiplied by
-    };
+    void add(std::span<const Deposit> deposits) {
+        for (std::size_t i = 0; i < deposits.size(); ++i) {
+            if (i + prefetch_distance < deposits.size())
+                sums_.prefetch(deposits[i + prefetch_distance].texel);
+            const Deposit& deposit = deposits[i];
+            sums_.add(deposit.texel, deposit.towards_light, deposit.inverse_cosine, deposit.flux);
+        }
+    }
 
-    /// The deposits of one batch, in the batch's order; rejected hits left out.
-    struct BatchDeposits {
-        std::vector<Deposit> deposits;
-        std::array<std::uint32_t, max_shares> share_size;   ///< how many fall in each share of the texels
-        std::array<std::uint32_t, max_shares> share_begin;  ///< where they go in `by_share_`
-        common::RejectedHits rejected;
-    };
-
-    void find_texels(const common::HitBatch& hits, BatchDeposits& batch) const;
-    void place_batches(std::size_t batch_count);
-    void scatter_to_shares(BatchDeposits& batch);
-    void add_share(std::size_t share);
-    [[nodiscard]] std::size_t share_of(std::uint32_t texel) const { return texel >> share_shift_; }
-
-    const TexelLayout* layout_;
-    ShWeight weight_;
-    unsigned share_shift_ = 0;
-    TexelSums sums_;
-    std::vector<BatchDeposits> batches_;
-    std::vector<Deposit> by_share_;  ///< the wave's, share after share, each in the photons' order
-    std::array<std::uint32_t, max_shares + 1> share_begin_;  ///< in `by_share_`
-    common::RejectedHits rejected_;
+    DepositSorter sorter_;
+    TexelSums<Model> sums_;
 };
-
-static_assert(common::PhotonSink<Accumulator>);
 
 }  // namespace shlm

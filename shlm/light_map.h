@@ -1,56 +1,82 @@
-// The finished spherical harmonic light map: irradiance from the nearest texels (Good and Taylor 2005).
+// The finished spherical harmonic light map: irradiance from the texels around a point (Good and Taylor 2005).
 #pragma once
+
+#include <oneapi/tbb/parallel_for.h>
 
 #include <span>
 #include <vector>
 
 #include "common/estimator/irradiance_estimator.h"
-#include "common/point_index/flann_index.h"
-#include "shlm/accumulator.h"
-#include "shlm/texel_geometry.h"
+#include "shlm/texel_lookup.h"
+#include "shlm/texel_model.h"
+#include "shlm/texel_sums.h"
 
 namespace shlm {
 
 /// A texel that a gather can find.
+template <class Model>
 struct Texel {
-    common::Vec3 normal;  ///< unit, out of the face
-    float area;           ///< world units squared
-    /// Coefficients of irradiance by normal: W/m^2 per harmonic.
-    std::array<common::Rgb, coefficient_count> irradiance;
+    TexelFace face;
+    TexelLight<Model> light;
 };
 
-/// Immutable. Holds the covered texels only; its size does not depend on how many hits they have taken.
+/// Immutable. Its size does not depend on how many hits it has taken.
+template <class Model>
 class LightMap {
   public:
-    /// `sums` and `geometry` have one entry per texel of the same layout; `watts_per_flux` as in
+    /// `sums` are of the same layout as `texels`, which must outlive the map; `watts_per_flux` as in
     /// common::MapSink.
-    LightMap(const TexelSums& sums, std::span<const TexelGeometry> geometry, float watts_per_flux,
-             std::size_t nearest);
+    LightMap(const TexelSums<Model>& sums, const PreparedTexels& texels, float watts_per_flux,
+             const Gather& gather)
+        : lookup_(make_lookup(texels, gather)), texels_(finished_texels(sums, texels, watts_per_flux)) {}
 
-    /// Irradiance for the shading normal, W/m^2: the mean over the nearest texels whose face looks the
-    /// point's way, weighted by their areas projected onto the point's surface. Never negative: what the
-    /// truncated series takes below zero is cut off. Zero where no texel lies within four widths of the
-    /// largest one.
-    [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const;
-
-    [[nodiscard]] std::size_t bytes() const {
-        return centers_.capacity() * sizeof(common::Vec3) + texels_.capacity() * sizeof(Texel) +
-               index_.bytes();
+    /// Irradiance for the shading normal, W/m^2: the weighted mean over the texels that the lookup finds.
+    /// Never negative. Zero where it finds none.
+    [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const {
+        TexelMean<Model> mean(point.shading_normal, point.geometric_normal);
+        std::visit(
+            [&](const auto& lookup) {
+                lookup.visit(
+                    point, [&](std::uint32_t i) -> const TexelFace& { return texels_[i].face; },
+                    [&](std::uint32_t i, float weight) { mean.add(texels_[i].light, weight); });
+            },
+            lookup_);
+        return mean.irradiance();
     }
 
-    [[nodiscard]] std::span<const Texel> texels() const { return texels_; }
+    [[nodiscard]] std::size_t bytes() const {
+        return texels_.capacity() * sizeof(Texel<Model>) +
+               std::visit([](const auto& lookup) { return lookup.bytes(); }, lookup_);
+    }
+
+    [[nodiscard]] std::span<const Texel<Model>> texels() const { return texels_; }
 
   private:
-    std::vector<common::Vec3> centers_;
-    std::vector<Texel> texels_;
-    common::FlannIndex index_;
-    std::size_t nearest_;
-    float max_radius_;  ///< world units
+    static Texel<Model> finished_texel(const TexelSum<Model>& sum, const TexelGeometry& geometry,
+                                       float watts_per_flux) {
+        Texel<Model> texel{{geometry.normal, geometry.area}, {}};
+        const double scale = geometry.area > 0 ? static_cast<double>(watts_per_flux) / geometry.area : 0;
+        for (std::size_t i = 0; i < Model::stored; ++i)
+            for (std::size_t c = 0; c < 3; ++c)
+                texel.light[i][static_cast<int>(c)] =
+                    static_cast<float>(sum.value[3 * i + c] * scale * Model::finishing_factor(i));
+        return texel;
+    }
+
+    [[nodiscard]] std::vector<Texel<Model>> finished_texels(const TexelSums<Model>& sums,
+                                                            const PreparedTexels& texels,
+                                                            float watts_per_flux) const {
+        const std::vector<std::uint32_t> held =
+            std::visit([&](const auto& lookup) { return lookup.held_texels(texels); }, lookup_);
+        std::vector<Texel<Model>> finished(held.size());
+        tbb::parallel_for(std::size_t{0}, held.size(), [&](std::size_t i) {
+            finished[i] = finished_texel(sums[held[i]], texels.geometry[held[i]], watts_per_flux);
+        });
+        return finished;
+    }
+
+    TexelLookup lookup_;
+    std::vector<Texel<Model>> texels_;  ///< those that the lookup holds, in its order
 };
-
-/// Irradiance at `normal` from one texel's coefficients, W/m^2; may be negative.
-[[nodiscard]] common::Rgb evaluate_irradiance(const Texel& texel, const common::Vec3& normal);
-
-static_assert(common::IrradianceEstimator<LightMap>);
 
 }  // namespace shlm

@@ -2,20 +2,32 @@
 #pragma once
 
 #include <cstddef>
+#include <variant>
 
 namespace shlm {
 
 /// What directional light a hit of flux F, on texel area a, at incidence theta stands for. The paper leaves
 /// it open.
 enum class ShWeight {
-    radiance,  ///< F / (a cos theta): its irradiance on the surface is F / a, as it must be
-    flux       ///< F / a: the paper read literally; reads two thirds of a uniform hemisphere
+    radiance,   ///< F / (a cos theta): its irradiance on the surface is F / a, as it must be
+    flux,       ///< F / a: the paper read literally; reads two thirds of a uniform hemisphere
+    normalised  ///< as radiance, but only for the shape: scaled so that the surface's own normal gets the
+                ///< exact sum of F / a, which is kept as one more number
 };
 
-struct Settings {
-    std::size_t texels = 262144;  ///< in all, as nearly as the layout allows
-    ShWeight weight = ShWeight::radiance;
-    std::size_t nearest = 4;  ///< texels per gather
+/// The texel that the point lies in.
+struct OwnTexel {};
+
+/// The four texels around the point in the lightmap, those of its chart that look its way.
+struct Bilinear {};
+
+/// The texels nearest in space that look the point's way, as in the paper.
+struct NearestTexels {
+    std::size_t count = 4;
 };
+
+using Gather = std::variant<OwnTexel, Bilinear, NearestTexels>;
+
+inline constexpr std::size_t default_texels = 262144;
 
 }  // namespace shlm

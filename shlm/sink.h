@@ -1,32 +1,25 @@
 // The sink that becomes a light map.
 #pragma once
 
-#include <memory>
-
+#include "shlm/accumulator.h"
 #include "shlm/light_map.h"
 
 namespace shlm {
 
-/// Everything about a scene's light map that does not depend on its light: made once, used by any number of
-/// runs.
-struct PreparedTexels {
-    TexelLayout layout;
-    std::vector<TexelGeometry> geometry;
-
-    PreparedTexels(const common::Scene& scene, std::span<const LightmapUv> uv, std::size_t texels)
-        : layout(scene, uv, texels), geometry(texel_geometry(scene, layout)) {}
-};
-
+template <class Model>
 class Sink {
   public:
-    /// `texels` must outlive the sink.
-    Sink(const PreparedTexels& texels, const Settings& settings)
-        : texels_(&texels), settings_(settings), accumulator_(texels.layout, settings.weight) {}
+    /// `texels` must outlive the sink and its map.
+    Sink(const PreparedTexels& texels, const Gather& gather)
+        : texels_(&texels), gather_(gather), accumulator_(texels.layout) {}
 
     void consume(std::span<const common::HitBatch> wave) { accumulator_.consume(wave); }
 
-    [[nodiscard]] LightMap finish(float watts_per_flux) && {
-        return {accumulator_.sums(), texels_->geometry, watts_per_flux, settings_.nearest};
+    [[nodiscard]] LightMap<Model> finish(float watts_per_flux) const { return finish(watts_per_flux, gather_); }
+
+    /// The same light asked in another way.
+    [[nodiscard]] LightMap<Model> finish(float watts_per_flux, const Gather& gather) const {
+        return {accumulator_.sums(), *texels_, watts_per_flux, gather};
     }
 
     /// Hits that no texel of the finished map shows. Goes through all texels.
@@ -36,14 +29,18 @@ class Sink {
             if (texels_->geometry[i].area == 0) rejected.outside_texels += accumulator_.sums()[i].hits;
         return rejected;
     }
-    [[nodiscard]] const Accumulator& accumulator() const { return accumulator_; }
+    [[nodiscard]] const Accumulator<Model>& accumulator() const { return accumulator_; }
 
   private:
     const PreparedTexels* texels_;
-    Settings settings_;
-    Accumulator accumulator_;
+    Gather gather_;
+    Accumulator<Model> accumulator_;
 };
 
-static_assert(common::MapSink<Sink>);
+/// What the paper describes, with the weight that makes it right.
+using PaperModel = TexelModel<2, ShWeight::radiance>;
+
+static_assert(common::MapSink<Sink<PaperModel>>);
+static_assert(common::IrradianceEstimator<LightMap<PaperModel>>);
 
 }  // namespace shlm

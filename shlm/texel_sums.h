@@ -1,4 +1,4 @@
-// The sums of all texels, kept so that adding to one touches two cache lines and no sum ever stalls.
+// The sums of all texels, kept so that adding to one touches few cache lines and no sum ever stalls.
 #pragma once
 
 #include <array>
@@ -6,22 +6,22 @@
 #include <vector>
 
 #include "common/core/vector.h"
-#include "shlm/sh_basis.h"
 
 namespace shlm {
 
-/// What one texel has taken: radiance coefficients times texel area, the sum over hits of
-/// flux * weight * Y(direction towards the light).
+/// What one texel has taken: the model's numbers times texel area, summed over hits.
+template <class Model>
 struct TexelSum {
-    /// Channel c of harmonic i at [3 i + c]; W times the number of photons emitted.
-    std::array<double, 3 * coefficient_count> coefficient{};
+    /// Channel c of number i at [3 i + c]; W times the number of photons emitted.
+    std::array<double, 3 * Model::stored> value{};
     std::uint64_t hits = 0;
 };
 
-/// A float stops growing at 2^24 equal adds, but a texel of doubles spans four cache lines, and their misses
-/// are what an add costs. So hits are summed in floats, on two lines, and every 32 hits the texel's floats
-/// are drained into doubles. The error is that of summing 32 floats; the order of one texel's adds decides
-/// the result to the bit.
+/// A float stops growing at 2^24 equal adds, but a texel of doubles spans twice the cache lines, and their
+/// misses are what an add costs. So hits are summed in floats, and every 32 hits the texel's floats are
+/// drained into doubles. The error is that of summing 32 floats; the order of one texel's adds decides the
+/// result to the bit.
+template <class Model>
 class TexelSums {
   public:
     explicit TexelSums(std::size_t texels) : recent_(texels), drained_(texels) {}
@@ -29,25 +29,24 @@ class TexelSums {
     /// Asks for the texel's cache lines ahead of `add`.
     void prefetch(std::size_t texel) const {
         const char* address = reinterpret_cast<const char*>(&recent_[texel]);
-        __builtin_prefetch(address, 1);
-        __builtin_prefetch(address + 64, 1);
+        for (std::size_t line = 0; line < sizeof(RecentSum); line += 64) __builtin_prefetch(address + line, 1);
     }
 
-    /// Adds one hit: `weight` times the harmonics in the direction `towards_light` (unit).
-    void add(std::size_t texel, const common::Vec3& towards_light, const common::Rgb& weight) {
+    /// Adds one hit. `towards_light` is unit, `inverse_cosine` that of incidence, clamped.
+    void add(std::size_t texel, const common::Vec3& towards_light, float inverse_cosine,
+             const common::Rgb& flux) {
         RecentSum& sum = recent_[texel];
-        const ShValues y = evaluate_sh(towards_light);
-        std::array<float, 3 * coefficient_count> product;
-        for (std::size_t i = 0; i < coefficient_count; ++i)
-            for (int c = 0; c < 3; ++c) product[3 * i + c] = y[i] * weight[c];
-        for (std::size_t k = 0; k < product.size(); ++k) sum.coefficient[k] += product[k];
+        const auto values = Model::of_hit(towards_light, inverse_cosine);
+        std::array<float, 3 * Model::stored> product;
+        for (std::size_t i = 0; i < Model::stored; ++i)
+            for (int c = 0; c < 3; ++c) product[3 * i + c] = values[i] * flux[c];
+        for (std::size_t k = 0; k < product.size(); ++k) sum.value[k] += product[k];
         if (++sum.hits % hits_per_drain == 0) drain(texel);
     }
 
-    [[nodiscard]] TexelSum operator[](std::size_t texel) const {
-        TexelSum sum{drained_[texel], recent_[texel].hits};
-        for (std::size_t k = 0; k < sum.coefficient.size(); ++k)
-            sum.coefficient[k] += recent_[texel].coefficient[k];
+    [[nodiscard]] TexelSum<Model> operator[](std::size_t texel) const {
+        TexelSum<Model> sum{drained_[texel], recent_[texel].hits};
+        for (std::size_t k = 0; k < sum.value.size(); ++k) sum.value[k] += recent_[texel].value[k];
         return sum;
     }
 
@@ -62,17 +61,17 @@ class TexelSums {
   private:
     static constexpr std::uint64_t hits_per_drain = 32;
 
-    using DrainedSum = std::array<double, 3 * coefficient_count>;
+    using DrainedSum = std::array<double, 3 * Model::stored>;
 
     struct alignas(64) RecentSum {
-        std::array<float, 3 * coefficient_count> coefficient{};
+        std::array<float, 3 * Model::stored> value{};
         std::uint64_t hits = 0;  ///< all of them, drained ones included
     };
 
     void drain(std::size_t texel) {
         for (std::size_t k = 0; k < drained_[texel].size(); ++k)
-            drained_[texel][k] += recent_[texel].coefficient[k];
-        recent_[texel].coefficient.fill(0);
+            drained_[texel][k] += recent_[texel].value[k];
+        recent_[texel].value.fill(0);
     }
 
     std::vector<RecentSum> recent_;

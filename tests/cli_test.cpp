@@ -152,7 +152,7 @@ TEST_F(BadScene, NoLight) {
 
 TEST_F(BadScene, NoLightmapCoordinatesForALightMap) {
     const std::string scene = write(gltf_text::one_triangle());
-    for (const char* method : {"shlm", "shlm/flux"})
+    for (const char* method : {"shlm", "shlm/L2/flux"})
         expect_refusal(render(scene, method, {"--sky", "1,1,1"}), {"scene.gltf", "unwrapping", "TEXCOORD_1"});
 }
 
@@ -178,7 +178,7 @@ TEST_F(BadOption, UnknownOption) {
 
 TEST_F(BadOption, UnknownMethod) {
     expect_refusal(render(cornell, "photonmap/oak"),
-                   {"--method:", "photonmap/oak", "photonmap/flann", "shlm"});
+                   {"--method:", "photonmap/oak", "flann", "flann-incremental"});
     expect_refusal({"compare", cornell, "--methods", "shlm,oak", "--out", folder.path()},
                    {"--methods:", "oak"});
 }
@@ -202,11 +202,11 @@ TEST_F(BadOption, MoreThanFitsInMemory) {
         words.insert(words.end(), more.begin(), more.end());
         return words;
     };
-    expect_refusal(with({"photonmap", "--hits", "1e13"}), {"photonmap/flann: needs", "GiB are free"});
-    expect_refusal(with({"photonmap", "--photons", "1e13"}), {"photonmap/flann: needs", "GiB are free"});
+    expect_refusal(with({"photonmap", "--hits", "1e13"}), {"photonmap/flann/k50/disc: needs", "GiB are free"});
+    expect_refusal(with({"photonmap", "--photons", "1e13"}), {"photonmap/flann/k50/disc: needs", "GiB are free"});
     expect_refusal(with({"photonmap/flann-incremental", "--hits", "1e13"}), {"needs", "GiB are free"});
-    expect_refusal(with({"shlm", "--hits", "1e3", "--texels", "4e12"}), {"shlm: needs", "GiB are free"});
-    expect_refusal({"info", cornell, "--texels", "4e12"}, {"shlm: needs", "GiB are free"});
+    expect_refusal(with({"shlm", "--hits", "1e3", "--texels", "4e12"}), {"shlm/L2/radiance/knn4: needs", "GiB are free"});
+    expect_refusal({"info", cornell, "--texels", "4e12"}, {"shlm/L2/radiance/knn4: needs", "GiB are free"});
 }
 
 TEST_F(BadOption, PlaceToWriteTo) {
@@ -246,11 +246,7 @@ TEST_F(BadOption, Numbers) {
         {"--threads", {"-1", "1025", "many"}},
         {"--seed", {"-1", "1.5", "text", "1e30"}},
         {"--texels", {"-1", "0", "nan", "1e30"}},
-        {"--k", {"-1", "1", "text"}},
-        {"--gather-texels", {"-1", "0"}},
         {"--max-radius", {"-1", "nan", "inf"}},
-        {"--cone", {"0.5", "nan"}},
-        {"--sh-weight", {"power"}},
     };
     for (const auto& [option, values] : bad)
         for (const std::string& value : values)
@@ -301,7 +297,7 @@ TEST_F(Info, TellsWhatASceneLacks) {
 using Render = Command;
 
 TEST_F(Render, WritesHalfFloatsWithTheirOriginAndAPicture) {
-    expect_success(render(cornell, "shlm/flux", {"--seed", "7"}));
+    expect_success(render(cornell, "shlm/L2/flux", {"--seed", "7"}));
     EXPECT_EQ(files_in(folder.path()), (std::set<std::string>{"image.exr", "image.png"}));
     const auto exr = OIIO::ImageInput::open(path("image.exr"));
     ASSERT_TRUE(exr);
@@ -311,9 +307,9 @@ TEST_F(Render, WritesHalfFloatsWithTheirOriginAndAPicture) {
     EXPECT_EQ(spec.height, 18);
     EXPECT_EQ(spec.channelnames.size(), 7u);
     EXPECT_EQ(spec.get_string_attribute("shlmbench:scene"), "cornell");
-    EXPECT_EQ(spec.get_string_attribute("shlmbench:method"), "shlm/flux");
+    EXPECT_EQ(spec.get_string_attribute("shlmbench:method"), "shlm/L2/flux/knn4");
     EXPECT_EQ(spec.get_string_attribute("shlmbench:seed"), "7");
-    EXPECT_NE(spec.get_string_attribute("shlmbench:settings").find("sh-weight=flux"), std::string::npos);
+    EXPECT_NE(spec.get_string_attribute("shlmbench:settings").find("texels=262144"), std::string::npos);
     EXPECT_GE(std::stod(std::string(spec.get_string_attribute("shlmbench:hits"))), 2000);
     for (const char* name :
          {"photons_emitted", "machine", "compiler", "flags", "libraries", "commit", "date"})
@@ -391,7 +387,7 @@ TEST_F(Compare, WritesItsTable) {
     for (std::size_t i = 0; i < 2; ++i) {
         const Json& row = table["rows"][i];
         EXPECT_EQ(row["scene"], "cornell");
-        EXPECT_EQ(row["method"], i == 0 ? "photonmap/flann" : "photonmap/flann-incremental");
+        EXPECT_EQ(row["method"], i == 0 ? "photonmap/flann/k50/disc" : "photonmap/flann-incremental/k50/disc");
         EXPECT_GE(row["hits"], 2000);
         for (const char* key : {"photons_emitted", "trace_seconds", "insert_ns_per_hit", "build_seconds",
                                 "gather_us_per_query", "bytes", "peak_rss_bytes"}) {
@@ -400,7 +396,7 @@ TEST_F(Compare, WritesItsTable) {
         }
     }
     const Json& skipped = table["rows"][2];
-    EXPECT_EQ(skipped["method"], "shlm");
+    EXPECT_EQ(skipped["method"], "shlm/L2/radiance/knn4");
     EXPECT_TRUE(skipped["skipped"].get<std::string>().starts_with("needs "));
 
     const std::string csv = text_of(out + "/compare.csv");

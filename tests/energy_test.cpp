@@ -46,12 +46,14 @@ Imath::V3d flux_in(const PhotonStorage& storage) {
     return sum;
 }
 
-/// Of sums made with ShWeight::flux: the first coefficient is the flux times Y00.
-Imath::V3d flux_in(const shlm::Accumulator& accumulator) {
+using FluxModel = shlm::TexelModel<2, shlm::ShWeight::flux>;
+
+/// The first number of these sums is the flux times Y00.
+Imath::V3d flux_in(const shlm::Accumulator<FluxModel>& accumulator) {
     Imath::V3d sum(0, 0, 0);
     for (std::size_t i = 0; i < accumulator.sums().size(); ++i) {
-        const shlm::TexelSum texel = accumulator.sums()[i];
-        sum += Imath::V3d(texel.coefficient[0], texel.coefficient[1], texel.coefficient[2]);
+        const auto texel = accumulator.sums()[i];
+        sum += Imath::V3d(texel.value[0], texel.value[1], texel.value[2]);
     }
     return sum * std::sqrt(4 * pi);
 }
@@ -65,7 +67,7 @@ void expect_multiplied_power(const Rgb& albedo) {
         PhotonStorage& storage;
         void consume(std::span<const HitBatch> wave) { storage.append(wave); }
     } photons{storage};
-    shlm::Accumulator accumulator(texels.layout, shlm::ShWeight::flux);
+    shlm::Accumulator<FluxModel> accumulator(texels.layout);
     BlockFlux blocks;
     Tee all(photons, accumulator, blocks);
     const common::TraceReport report = trace(scene, seed, {.photons = photon_count}, all);
@@ -129,7 +131,7 @@ TEST(Energy, PhotonMapsStoreEveryHit) {
 TEST(Energy, LightMapCountsWhatItCannotStore) {
     const Scene scene = room_with_trouble();
     const shlm::PreparedTexels texels = texels_of(scene);
-    shlm::Sink sink(texels, {});
+    shlm::Sink<shlm::PaperModel> sink(texels, shlm::NearestTexels{});
     common::RecordingSink recorder;
     Tee both(sink, recorder);
     const common::TraceReport report = trace(scene, 3, {.photons = 20'000}, both);
@@ -210,7 +212,7 @@ TEST(Energy, PhotonMapRejectsHitsThatAreNotFinite) {
 TEST(Energy, LightMapRejectsHitsThatAreNotFinite) {
     const Scene scene = closed_box(diffuse(Rgb(0.5f, 0.5f, 0.5f)));
     const shlm::PreparedTexels texels = texels_of(scene, 600);
-    expect_only_the_good_hit(shlm::Sink(texels, {}));
+    expect_only_the_good_hit(shlm::Sink<shlm::PaperModel>(texels, shlm::NearestTexels{}));
 }
 
 }  // namespace

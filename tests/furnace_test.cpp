@@ -31,18 +31,20 @@ double irradiance_at_tilt(double tilt) {
     return 2 * pi * (1 + std::cos(tilt)) / 2;
 }
 
+using FluxModel = shlm::TexelModel<2, shlm::ShWeight::flux>;
+
 struct Maps {
     photonmap::PhotonMap<common::FlannIndex> photons;
-    shlm::LightMap radiance;
-    shlm::LightMap flux;  ///< with the weight of the paper read literally
+    shlm::LightMap<shlm::PaperModel> radiance;
+    shlm::LightMap<FluxModel> flux;  ///< with the weight of the paper read literally
 };
 
 /// The maps of one and the same run.
 Maps make_maps() {
-    const shlm::PreparedTexels texels(furnace(), shlm::find_lightmap_uv(furnace()), 2400);
-    photonmap::FlannPhotonSink photons(furnace(), {.nearest = nearest_photons, .max_radius = 0.2f});
-    shlm::Sink radiance(texels, {.weight = shlm::ShWeight::radiance});
-    shlm::Sink flux(texels, {.weight = shlm::ShWeight::flux});
+    static const shlm::PreparedTexels texels(furnace(), shlm::find_lightmap_uv(furnace()), 2400);
+    photonmap::FlannPhotonSink photons(furnace(), {.selection = photonmap::NearestPhotons{nearest_photons}, .max_radius = 0.2f});
+    shlm::Sink<shlm::PaperModel> radiance(texels, shlm::NearestTexels{});
+    shlm::Sink<FluxModel> flux(texels, shlm::NearestTexels{});
     Tee all(photons, radiance, flux);
     const common::TraceReport report = trace(furnace(), seed, {.hits = hit_count}, all);
     return {common::finish_map(std::move(photons), report), common::finish_map(std::move(radiance), report),
@@ -107,8 +109,11 @@ TEST(Furnace, EveryTexelIsRight) {
     // Each texel alone, within its own noise, in the corners of the box too.
     const double hits_per_texel = static_cast<double>(hit_count) / 2400;
     const double bound = z_for(1e-5 / 2400) * std::sqrt(10.0 / hits_per_texel);
-    for (const shlm::Texel& texel : maps().radiance.texels())
-        ASSERT_NEAR(shlm::evaluate_irradiance(texel, texel.normal).x / (2 * pi), 1, bound) << "seed " << seed;
+    for (const auto& texel : maps().radiance.texels()) {
+        const Rgb irradiance =
+            shlm::evaluate_series<shlm::PaperModel>(texel.light, shlm::evaluate_sh<2>(texel.face.normal));
+        ASSERT_NEAR(irradiance.x / (2 * pi), 1, bound) << "seed " << seed;
+    }
 }
 
 }  // namespace

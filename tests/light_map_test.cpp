@@ -10,7 +10,10 @@ namespace {
 
 using namespace tests;
 using common::HitBatch;
-using shlm::LightMap;
+using LightMap = shlm::LightMap<shlm::PaperModel>;
+using Accumulator = shlm::Accumulator<shlm::PaperModel>;
+using Sink = shlm::Sink<shlm::PaperModel>;
+using shlm::NearestTexels;
 using shlm::PreparedTexels;
 using shlm::ShWeight;
 
@@ -45,10 +48,17 @@ HitBatch collimated_light(const Vec3& towards_light) {
     return hits;
 }
 
-LightMap map_of(const PreparedTexels& texels, const HitBatch& hits, ShWeight weight = ShWeight::radiance) {
-    shlm::Sink sink(texels, {.weight = weight});
+template <class Model = shlm::PaperModel>
+shlm::LightMap<Model> map_of(const PreparedTexels& texels, const HitBatch& hits,
+                             const shlm::Gather& gather = NearestTexels{}) {
+    shlm::Sink<Model> sink(texels, gather);
     sink.consume(std::span(&hits, 1));
-    return std::move(sink).finish(1);
+    return sink.finish(1);
+}
+
+/// One texel's own answer, not cut off at zero.
+Rgb series_at(const shlm::Texel<shlm::PaperModel>& texel, const Vec3& normal) {
+    return shlm::evaluate_series<shlm::PaperModel>(texel.light, shlm::evaluate_sh<2>(normal));
 }
 
 double kernel(double x) {
@@ -80,14 +90,14 @@ TEST(LightMap, OneTracedLightGivesTheTruncatedKernel) {
     const Vec3 towards_light = direction_in_xz(40 * degrees);
     scene.directional_light.push_back({-towards_light, Rgb(3, 3, 3)});
     const PreparedTexels texels = texels_of(scene, 64);
-    shlm::Sink sink(texels, {});
+    Sink sink(texels, NearestTexels{});
     const common::TraceReport report = trace(scene, seed, {.photons = count_for(1'000'000, 50'000)}, sink);
     const LightMap map = common::finish_map(std::move(sink), report);
     Sample irradiance;
     common::SurfacePoint point = front_of(scene, on_quad(0, 0.5f, 0.5f));
     point.shading_normal = direction_in_xz(-10 * degrees);
-    for (const shlm::Texel& texel : map.texels())
-        irradiance.add(shlm::evaluate_irradiance(texel, point.shading_normal).y);
+    for (const auto& texel : map.texels())
+        irradiance.add(series_at(texel, point.shading_normal).y);
     // All photons carry the same flux in the same direction: the mean over the texels has the noise of their
     // number.
     const double expected = 3 * kernel(std::cos(50 * degrees));
@@ -100,17 +110,19 @@ TEST(LightMap, LiteralWeightLacksTheCosine) {
     const PreparedTexels texels = texels_of(scene, 64);
     const Vec3 towards_light = direction_in_xz(60 * degrees);
     const auto point = front_of(scene, on_quad(0, 0.3f, 0.6f));
-    EXPECT_NEAR(map_of(texels, collimated_light(towards_light), ShWeight::flux).irradiance(point).x,
+    using FluxModel = shlm::TexelModel<2, ShWeight::flux>;
+    EXPECT_NEAR(map_of<FluxModel>(texels, collimated_light(towards_light)).irradiance(point).x,
                 0.5 * kernel(0.5), 1e-5);
 }
 
 TEST(LightMap, CutsOffWhatTheSeriesTakesBelowZero) {
     const Scene scene = sheet(diffuse(Rgb(1, 1, 1)));
-    const LightMap map = map_of(texels_of(scene, 64), collimated_light({0, 0, 1}));
+    const PreparedTexels texels = texels_of(scene, 64);
+    const LightMap map = map_of(texels, collimated_light({0, 0, 1}));
     common::SurfacePoint point = front_of(scene, on_quad(0, 0.3f, 0.6f));
     point.shading_normal = direction_in_xz(std::acos(-8.0 / 15));
     EXPECT_EQ(map.irradiance(point), Rgb(0, 0, 0));
-    EXPECT_NEAR(shlm::evaluate_irradiance(map.texels()[0], point.shading_normal).x, kernel(-8.0 / 15), 1e-5);
+    EXPECT_NEAR(series_at(map.texels()[0], point.shading_normal).x, kernel(-8.0 / 15), 1e-5);
     EXPECT_LT(kernel(-8.0 / 15), -0.039);
 }
 
@@ -130,11 +142,11 @@ TEST(LightMap, LightOnOneSideDoesNotReachTheOther) {
 TEST(LightMap, BacksOfSingleSidedSurfacesStayDark) {
     const Scene scene = sheet(diffuse(Rgb(1, 1, 1)));
     const PreparedTexels texels = texels_of(scene, 64);
-    shlm::Sink sink(texels, {});
+    Sink sink(texels, NearestTexels{});
     const HitBatch from_below = collimated_light({0, 0, -1});
     sink.consume(std::span(&from_below, 1));
     EXPECT_EQ(sink.rejected().back_of_single_sided, from_below.size());
-    const LightMap map = std::move(sink).finish(1);
+    const LightMap map = sink.finish(1);
     EXPECT_EQ(map.irradiance(front_of(scene, on_quad(0, 0.3f, 0.6f))), Rgb(0, 0, 0));
     EXPECT_EQ(map.irradiance(common::surface_point_at(scene, on_quad(0, 0.3f, 0.6f), {0, 0, 1})),
               Rgb(0, 0, 0));
@@ -142,7 +154,8 @@ TEST(LightMap, BacksOfSingleSidedSurfacesStayDark) {
 
 TEST(LightMap, KnowsNothingFarFromItsTexels) {
     const Scene scene = sheet(diffuse(Rgb(1, 1, 1)));
-    const LightMap map = map_of(texels_of(scene, 64), collimated_light({0, 0, 1}));
+    const PreparedTexels texels = texels_of(scene, 64);
+    const LightMap map = map_of(texels, collimated_light({0, 0, 1}));
     common::SurfacePoint point = front_of(scene, on_quad(0, 0.5f, 0.5f));
     point.position.z += 0.9f;  // texels are 0.25 wide
     EXPECT_GT(map.irradiance(point).x, 0);
@@ -159,8 +172,8 @@ TEST(LightMap, EveryLitPointHasATexelInReach) {
                                         {{0.125f, 0}, {1, 0}, {1, 1}, {0.125f, 1}});
     Scene scene;
     add(scene, joined(floor, plate), diffuse(Rgb(1, 1, 1)));
-    const LightMap map =
-        map_of(texels_of(scene, 4096), collimated_light({0, 0, 1}));  // the floor has 8 x 8 of them
+    const PreparedTexels texels = texels_of(scene, 4096);  // the floor has 8 x 8 of them
+    const LightMap map = map_of(texels, collimated_light({0, 0, 1}));
     int dark = 0, points = 0;
     for (float s = 0.02f; s < 1; s += 0.01f)
         for (float t = 0.02f; t < 1; t += 0.01f, ++points)
@@ -189,10 +202,10 @@ Scene furnished_room() {
     return scene;
 }
 
-bool same_sums(const shlm::Accumulator& a, const shlm::Accumulator& b) {
+bool same_sums(const Accumulator& a, const Accumulator& b) {
     for (std::size_t i = 0; i < a.sums().size(); ++i) {
-        const shlm::TexelSum x = a.sums()[i], y = b.sums()[i];
-        if (x.hits != y.hits || x.coefficient != y.coefficient) return false;
+        const auto x = a.sums()[i], y = b.sums()[i];
+        if (x.hits != y.hits || x.value != y.value) return false;
     }
     return a.sums().size() == b.sums().size();
 }
@@ -202,11 +215,11 @@ TEST(Accumulator, SumsAreTheSameOnAnyNumberOfThreadsAndForAnyWaves) {
     const std::vector<HitBatch> batches = blocks_of_hits(scene);
     for (const std::size_t texel_count : {1, 63, 64, 65, 5000}) {
         const PreparedTexels texels = texels_of(scene, texel_count);
-        shlm::Accumulator reference(texels.layout, ShWeight::radiance);
+        Accumulator reference(texels.layout);
         common::ThreadPool(1).run([&] { reference.consume(batches); });
         for (const int threads : {1, 2, 7})
             for (const std::size_t wave : {std::size_t{1}, std::size_t{3}, std::size_t{64}, batches.size()}) {
-                shlm::Accumulator other(texels.layout, ShWeight::radiance);
+                Accumulator other(texels.layout);
                 common::ThreadPool(threads).run([&] {
                     for (std::size_t i = 0; i < batches.size(); i += wave)
                         other.consume(std::span(batches).subspan(i, std::min(wave, batches.size() - i)));
@@ -222,27 +235,27 @@ TEST(Accumulator, SumsAreThoseOfPlainAddition) {
     const Scene scene = furnished_room();
     const PreparedTexels texels = texels_of(scene, 700);
     const HitBatch hits = record(scene, 3, {.photons = 5'000}).hits;
-    shlm::Accumulator accumulator(texels.layout, ShWeight::radiance);
+    Accumulator accumulator(texels.layout);
     accumulator.consume(std::span(&hits, 1));
-    std::vector<shlm::TexelSum> expected(texels.layout.texel_count());
+    std::vector<shlm::TexelSum<shlm::PaperModel>> expected(texels.layout.texel_count());
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const shlm::TriangleTexels& triangle = texels.layout.triangle(hits.surface[i].triangle);
         const float cosine = -hits.direction[i].dot(scene.geometric_normal[hits.surface[i].triangle]);
-        shlm::TexelSum& sum =
+        auto& sum =
             expected[shlm::texel_at(triangle, hits.surface[i].u, hits.surface[i].v, cosine >= 0)];
-        const shlm::ShValues y = shlm::evaluate_sh(-hits.direction[i]);
-        for (std::size_t k = 0; k < shlm::coefficient_count; ++k)
+        const auto y = shlm::evaluate_sh<2>(-hits.direction[i]);
+        for (std::size_t k = 0; k < y.size(); ++k)
             for (int c = 0; c < 3; ++c)
-                sum.coefficient[3 * k + static_cast<std::size_t>(c)] +=
+                sum.value[3 * k + static_cast<std::size_t>(c)] +=
                     double{hits.flux[i][c]} * y[k] / std::max(double{std::abs(cosine)}, 1e-3);
         ++sum.hits;
     }
     for (std::size_t i = 0; i < expected.size(); ++i) {
         ASSERT_EQ(accumulator.sums()[i].hits, expected[i].hits);
-        for (std::size_t k = 0; k < expected[i].coefficient.size(); ++k)
-            ASSERT_NEAR(accumulator.sums()[i].coefficient[k], expected[i].coefficient[k],
-                        1e-5 * std::abs(expected[i].coefficient[0] + expected[i].coefficient[1] +
-                                        expected[i].coefficient[2]));
+        for (std::size_t k = 0; k < expected[i].value.size(); ++k)
+            ASSERT_NEAR(accumulator.sums()[i].value[k], expected[i].value[k],
+                        1e-5 * std::abs(expected[i].value[0] + expected[i].value[1] +
+                                        expected[i].value[2]));
     }
 }
 
@@ -250,19 +263,19 @@ TEST(Accumulator, MemoryDoesNotGrowWithHits) {
     const Scene scene = furnished_room();
     const PreparedTexels texels = texels_of(scene, 700);
     const std::vector<HitBatch> batches = blocks_of_hits(scene);
-    shlm::Accumulator accumulator(texels.layout, ShWeight::radiance);
+    Accumulator accumulator(texels.layout);
     accumulator.consume(batches);
     const std::size_t bytes = accumulator.bytes();
-    EXPECT_GE(bytes, texels.layout.texel_count() * shlm::TexelSums::bytes_per_texel());
+    EXPECT_GE(bytes, texels.layout.texel_count() * shlm::TexelSums<shlm::PaperModel>::bytes_per_texel());
     for (int i = 0; i < 20; ++i) accumulator.consume(batches);
     EXPECT_EQ(accumulator.bytes(), bytes);
 
     const LightMap once = map_of(texels, batches[0]);
-    shlm::Sink sink(texels, {});
+    Sink sink(texels, NearestTexels{});
     for (int i = 0; i < 20; ++i) sink.consume(batches);
     // The index is measured at the allocator, which rounds as it likes.
     const auto expected = static_cast<double>(once.bytes());
-    EXPECT_NEAR(static_cast<double>(std::move(sink).finish(1).bytes()), expected, 0.02 * expected);
+    EXPECT_NEAR(static_cast<double>(sink.finish(1).bytes()), expected, 0.02 * expected);
 }
 
 TEST(Accumulator, EqualHitsAddUpPastTheReachOfFloat) {
@@ -271,11 +284,11 @@ TEST(Accumulator, EqualHitsAddUpPastTheReachOfFloat) {
     HitBatch hits;
     for (int i = 0; i < (1 << 16); ++i)
         hits.push_back({0, 0, 0}, {0, 0, -1}, Rgb(1, 1, 1), on_quad(0, 0.5f, 0.5f));
-    shlm::Accumulator accumulator(texels.layout, ShWeight::radiance);
+    Accumulator accumulator(texels.layout);
     constexpr int waves = static_cast<int>(count_for(1 << 9, 1 << 4));
     for (int i = 0; i < waves; ++i) accumulator.consume(std::span(&hits, 1));
     const double expected = static_cast<double>(waves) * (1 << 16) / std::sqrt(4 * pi);
-    EXPECT_NEAR(accumulator.sums()[0].coefficient[0], expected, 1e-6 * expected);
+    EXPECT_NEAR(accumulator.sums()[0].value[0], expected, 1e-6 * expected);
     EXPECT_EQ(accumulator.sums()[0].hits, static_cast<std::uint64_t>(waves) << 16);
 }
 

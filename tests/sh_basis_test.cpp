@@ -9,10 +9,7 @@
 namespace {
 
 using namespace tests;
-using shlm::coefficient_count;
-using shlm::cosine_factors;
 using shlm::evaluate_sh;
-using shlm::ShValues;
 
 Vec3 random_direction(std::mt19937& engine) {
     std::uniform_real_distribution<float> uniform(0, 1);
@@ -32,18 +29,26 @@ double integral(double low, double high, Function function) {
 
 /// What irradiance the harmonics give a plane whose normal has the cosine x to a light of perpendicular
 /// irradiance 1.
+template <int Order>
 double kernel(const Vec3& light, const Vec3& normal) {
-    const ShValues a = evaluate_sh(light), b = evaluate_sh(normal);
+    const auto a = evaluate_sh<Order>(light), b = evaluate_sh<Order>(normal);
     double sum = 0;
-    for (std::size_t i = 0; i < coefficient_count; ++i) sum += double{cosine_factors[i]} * a[i] * b[i];
+    for (std::size_t i = 0; i < a.size(); ++i) sum += double{shlm::cosine_factors<Order>[i]} * a[i] * b[i];
     return sum;
 }
 
-double closed_form(double x) {
-    return (3 + 16 * x + 15 * x * x) / 32;
+/// max(0, x) = 1/4 + x/2 + 5/16 P2(x) - 3/32 P4(x) + ..., cut off after an order.
+double closed_form(int order, double x) {
+    const double xx = x * x;
+    double sum = 0.25;
+    if (order >= 1) sum += x / 2;
+    if (order >= 2) sum += 5.0 / 16 * (3 * xx - 1) / 2;
+    if (order >= 4) sum -= 3.0 / 32 * (35 * xx * xx - 30 * xx + 3) / 8;
+    return sum;
 }
 
 TEST(ShBasis, IsOrthonormal) {
+    constexpr std::size_t coefficient_count = shlm::harmonic_count(4);
     std::array<std::array<double, coefficient_count>, coefficient_count> products{};
     constexpr int z_steps = 512, turns = 16;
     for (int i = 0; i < z_steps; ++i)
@@ -51,7 +56,7 @@ TEST(ShBasis, IsOrthonormal) {
             // Two Gauss points per step in z: exact for these polynomials, as 16 turns are.
             for (const double side : {-1.0, 1.0}) {
                 const double z = -1 + (2 * i + 1 + side / std::sqrt(3.0)) / z_steps;
-                const ShValues y = evaluate_sh(common::direction_at(
+                const auto y = evaluate_sh<4>(common::direction_at(
                     static_cast<float>(z), static_cast<float>(j) / static_cast<float>(turns)));
                 for (std::size_t a = 0; a < coefficient_count; ++a)
                     for (std::size_t b = 0; b < coefficient_count; ++b)
@@ -64,7 +69,7 @@ TEST(ShBasis, IsOrthonormal) {
 }
 
 TEST(ShBasis, HasTheDocumentedOrder) {
-    const ShValues x = evaluate_sh({1, 0, 0}), y = evaluate_sh({0, 1, 0}), z = evaluate_sh({0, 0, 1});
+    const auto x = evaluate_sh<2>({1, 0, 0}), y = evaluate_sh<2>({0, 1, 0}), z = evaluate_sh<2>({0, 0, 1});
     const auto c1 = static_cast<float>(std::sqrt(3 / (4 * pi)));
     EXPECT_FLOAT_EQ(x[0], static_cast<float>(1 / std::sqrt(4 * pi)));
     EXPECT_FLOAT_EQ(y[1], c1);
@@ -74,9 +79,9 @@ TEST(ShBasis, HasTheDocumentedOrder) {
     const float d = std::sqrt(0.5f);
     const float most =
         static_cast<float>(0.25 * std::sqrt(15 / pi));  // of the xy, yz, xz and x^2 - y^2 harmonics
-    EXPECT_FLOAT_EQ(evaluate_sh({d, d, 0})[4], most);
-    EXPECT_FLOAT_EQ(evaluate_sh({0, d, d})[5], most);
-    EXPECT_FLOAT_EQ(evaluate_sh({d, 0, d})[7], most);
+    EXPECT_FLOAT_EQ(evaluate_sh<2>({d, d, 0})[4], most);
+    EXPECT_FLOAT_EQ(evaluate_sh<2>({0, d, d})[5], most);
+    EXPECT_FLOAT_EQ(evaluate_sh<2>({d, 0, d})[7], most);
     EXPECT_FLOAT_EQ(x[8], most);
     EXPECT_FLOAT_EQ(y[8], -most);
 }
@@ -87,9 +92,15 @@ TEST(ShBasis, CosineFactorsAreTheLegendreCoefficientsOfTheClampedCosine) {
     const double a2 = 2 * pi * integral(0, 1, [](double x) { return x * (3 * x * x - 1) / 2; });
     EXPECT_NEAR(a0, pi, 1e-9);
     EXPECT_NEAR(a1, 2 * pi / 3, 1e-9);
+    const double a3 = 2 * pi * integral(0, 1, [](double x) { return x * (5 * x * x - 3) * x / 2; });
+    const double a4 = 2 * pi * integral(0, 1, [](double x) {
+        return x * (35 * x * x * x * x - 30 * x * x + 3) / 8;
+    });
     EXPECT_NEAR(a2, pi / 4, 1e-9);
-    for (std::size_t i = 0; i < coefficient_count; ++i)
-        EXPECT_NEAR(cosine_factors[i], i == 0 ? a0 : i < 4 ? a1 : a2, 1e-6) << i;
+    EXPECT_NEAR(a3, 0, 1e-9) << "band 3 is left out";
+    EXPECT_NEAR(a4, -pi / 24, 1e-9);
+    for (std::size_t i = 0; i < shlm::harmonic_count(4); ++i)
+        EXPECT_NEAR(shlm::cosine_factors<4>[i], i == 0 ? a0 : i < 4 ? a1 : i < 9 ? a2 : a4, 1e-6) << i;
 }
 
 TEST(ShBasis, OneLightGivesTheTruncatedKernel) {
@@ -97,22 +108,27 @@ TEST(ShBasis, OneLightGivesTheTruncatedKernel) {
     std::mt19937 engine(seed);
     for (int i = 0; i < 10'000; ++i) {
         const Vec3 light = random_direction(engine), normal = random_direction(engine);
-        ASSERT_NEAR(kernel(light, normal), closed_form(light.dot(normal)), 1e-6) << "seed " << seed;
+        const double cosine = light.dot(normal);
+        ASSERT_NEAR(kernel<0>(light, normal), closed_form(0, cosine), 1e-6) << "seed " << seed;
+        ASSERT_NEAR(kernel<1>(light, normal), closed_form(1, cosine), 1e-6) << "seed " << seed;
+        ASSERT_NEAR(kernel<2>(light, normal), closed_form(2, cosine), 1e-6) << "seed " << seed;
+        ASSERT_NEAR(kernel<4>(light, normal), closed_form(4, cosine), 2e-6) << "seed " << seed;
     }
-    EXPECT_NEAR(kernel({0, 1, 0}, {0, 1, 0}), 1.0625, 1e-6);
-    EXPECT_NEAR(kernel({0, 1, 0}, {1, 0, 0}), 0.09375, 1e-6);
-    EXPECT_NEAR(kernel({0, 1, 0}, {0, -1, 0}), 0.0625, 1e-6);
+    EXPECT_NEAR(kernel<2>({0, 1, 0}, {0, 1, 0}), 1.0625, 1e-6);
+    EXPECT_NEAR(kernel<2>({0, 1, 0}, {1, 0, 0}), 0.09375, 1e-6);
+    EXPECT_NEAR(kernel<2>({0, 1, 0}, {0, -1, 0}), 0.0625, 1e-6);
+    EXPECT_NEAR(kernel<1>({0, 1, 0}, {0, 1, 0}), 0.75, 1e-6);
+    EXPECT_NEAR(kernel<4>({0, 1, 0}, {0, 1, 0}), 0.96875, 1e-6);
 }
 
 TEST(ShBasis, KeepsNearlyAllOfTheKernelsEnergy) {
     const double all = integral(0, 1, [](double x) { return x * x; });
-    const double kept = integral(-1, 1, [](double x) { return closed_form(x) * closed_form(x); });
+    const double kept = integral(-1, 1, [](double x) { return closed_form(2, x) * closed_form(2, x); });
     EXPECT_NEAR(kept / all, 0.9921875, 1e-9);
     // The same from the factors: k = sum of (2 l + 1) / (4 pi) A_l P_l, and P_l^2 integrates to 2 / (2 l +
     // 1).
     double from_factors = 0;
-    for (std::size_t i = 0; i < coefficient_count; ++i)
-        from_factors += double{cosine_factors[i]} * cosine_factors[i];
+    for (const double factor : shlm::cosine_factors<2>) from_factors += factor * factor;
     EXPECT_NEAR(from_factors / (8 * pi * pi) / all, 0.9921875, 1e-6);
 }
 
@@ -126,10 +142,13 @@ TEST(ShBasis, IsTheSameHoweverTheWorldIsTurned) {
         Vec3 turned_light, turned_normal;
         rotation.multDirMatrix(light, turned_light);
         rotation.multDirMatrix(normal, turned_normal);
-        ASSERT_NEAR(kernel(light, normal), kernel(turned_light, turned_normal), 2e-6) << "seed " << seed;
-        const ShValues y = evaluate_sh(light);  // each band's squares add up to (2 l + 1) / (4 pi)
+        ASSERT_NEAR(kernel<4>(light, normal), kernel<4>(turned_light, turned_normal), 4e-6) << "seed " << seed;
+        const auto y = evaluate_sh<4>(light);  // each band's squares add up to (2 l + 1) / (4 pi)
         EXPECT_NEAR(y[1] * y[1] + y[2] * y[2] + y[3] * y[3], 3 / (4 * pi), 1e-6);
         EXPECT_NEAR(y[4] * y[4] + y[5] * y[5] + y[6] * y[6] + y[7] * y[7] + y[8] * y[8], 5 / (4 * pi), 1e-6);
+        double band_4 = 0;
+        for (std::size_t k = 9; k < y.size(); ++k) band_4 += double{y[k]} * y[k];
+        EXPECT_NEAR(band_4, 9 / (4 * pi), 2e-6);
     }
 }
 

@@ -91,10 +91,10 @@ Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
 
 void run(const InfoOptions& options) {
     MethodSettings settings;
-    settings.shlm.texels = parse_count("--texels", options.texels);
+    settings.texels = parse_count("--texels", options.texels);
     const LoadedScene loaded(options.file, options.scene);
     PreparedMethods prepared(loaded, settings);
-    require_memory("shlm", settings, 0, default_max_bytes());
+    require_memory(parse_method("--texels", "shlm"), settings, 0, default_max_bytes());
     const Json all = facts(loaded, prepared);
     if (options.json) {
         fmt::print("{}\n", all.dump(2));

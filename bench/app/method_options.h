@@ -1,4 +1,4 @@
-// The options that set the methods, as commands take them.
+// The options that set what a method's name leaves open.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,12 +9,8 @@
 namespace bench {
 
 struct MethodOptions {
-    std::string texels = "262144";
-    std::string sh_weight = "radiance";
-    std::size_t gather_texels = 4;
-    std::size_t k = 50;
+    std::string texels = std::to_string(shlm::default_texels);
     double max_radius = 0;
-    double cone = 0;
 
     void add_to(CLI::App& command);
 

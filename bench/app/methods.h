@@ -1,27 +1,20 @@
-// The methods by name: the one place where all of them are known.
+// From a method's name to its sink: the one place where all of them are known.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <array>
-#include <optional>
+#include <map>
 #include <string>
-#include <string_view>
 
+#include "bench/app/method.h"
 #include "bench/app/scene_options.h"
-#include "common/core/input_error.h"
 #include "photonmap/photon_sinks.h"
 #include "shlm/sink.h"
 
 namespace bench {
 
-/// Stable names, as they appear in every table.
-inline constexpr std::array<std::string_view, 4> method_names = {
-    "photonmap/flann", "photonmap/flann-incremental", "shlm", "shlm/flux"};
-
+/// What a method's name leaves open.
 struct MethodSettings {
-    photonmap::GatherSettings photonmap;  ///< max_radius 0: the default for the scene
-    shlm::Settings shlm;
+    std::size_t texels = shlm::default_texels;  ///< of a light map in all, as nearly as the layout allows
+    float max_radius = 0;                       ///< of a photon map's k nearest, world units; 0: the default
 };
 
 /// What the methods prepare once for a scene, whatever its light: the photon map nothing, the light map its
@@ -38,32 +31,61 @@ class PreparedMethods {
     [[nodiscard]] const std::vector<shlm::LightmapUv>& lightmap_uv() const { return uv_; }
 
     /// Made when first asked for. Throws InputError where no surface has usable lightmap coordinates.
-    [[nodiscard]] const shlm::PreparedTexels& texels();
+    [[nodiscard]] const shlm::PreparedTexels& texels() { return texels(settings_.texels); }
+    [[nodiscard]] const shlm::PreparedTexels& texels(std::size_t count);
+    [[nodiscard]] const shlm::PreparedTexels& texels_of(const ShlmMethod& method) {
+        return texels(texel_count(method, settings_));
+    }
+
+    [[nodiscard]] static std::size_t texel_count(const ShlmMethod& method, const MethodSettings& settings) {
+        return method.texels > 0 ? method.texels : settings.texels;
+    }
 
   private:
     const common::Scene* scene_;
     MethodSettings settings_;
     std::vector<shlm::LightmapUv> uv_;
     std::vector<std::string> trouble_;
-    std::optional<shlm::PreparedTexels> texels_;
+    std::map<std::size_t, shlm::PreparedTexels> texels_;
 };
 
-/// "photonmap" is short for "photonmap/flann". Throws InputError, naming the option and the known methods,
-/// for any other name.
-[[nodiscard]] std::string full_method_name(const std::string& option, const std::string& name);
+template <int Order, class Work>
+auto with_weight(shlm::ShWeight weight, Work work) {
+    switch (weight) {
+        case shlm::ShWeight::flux: return work(shlm::TexelModel<Order, shlm::ShWeight::flux>{});
+        case shlm::ShWeight::normalised: return work(shlm::TexelModel<Order, shlm::ShWeight::normalised>{});
+        case shlm::ShWeight::radiance: break;
+    }
+    return work(shlm::TexelModel<Order, shlm::ShWeight::radiance>{});
+}
 
-/// The settings as the method takes them: shlm/flux brings its own weight.
-[[nodiscard]] MethodSettings settings_of(std::string_view method, MethodSettings settings);
-
-/// Calls `work` with a fresh, empty sink of the method. `method` is a full name.
+/// Calls `work` with an object of the method's texel model.
 template <class Work>
-auto with_sink(std::string_view method, PreparedMethods& prepared, Work work) {
-    const common::Scene& scene = prepared.scene();
-    const MethodSettings settings = settings_of(method, prepared.settings());
-    if (method == "photonmap/flann") return work(photonmap::FlannPhotonSink(scene, settings.photonmap));
-    if (method == "photonmap/flann-incremental")
-        return work(photonmap::FlannIncrementalPhotonSink(scene, settings.photonmap));
-    return work(shlm::Sink(prepared.texels(), settings.shlm));
+auto with_model(const ShlmMethod& method, Work work) {
+    switch (method.order) {
+        case 0: return with_weight<0>(method.weight, work);
+        case 1: return with_weight<1>(method.weight, work);
+        case 4: return with_weight<4>(method.weight, work);
+        default: return with_weight<2>(method.weight, work);
+    }
+}
+
+[[nodiscard]] inline photonmap::GatherSettings gather_of(const PhotonMapMethod& method, float max_radius) {
+    return {method.selection, method.kernel, max_radius};
+}
+
+/// Calls `work` with a fresh, empty sink of the method.
+template <class Work>
+auto with_sink(const Method& method, PreparedMethods& prepared, Work work) {
+    if (const ShlmMethod* light_map = method.light_map())
+        return with_model(*light_map, [&](auto model) {
+            return work(shlm::Sink<decltype(model)>(prepared.texels_of(*light_map), light_map->gather));
+        });
+    const PhotonMapMethod& photon_map = *method.photon_map();
+    const photonmap::GatherSettings gather = gather_of(photon_map, prepared.settings().max_radius);
+    if (photon_map.engine == PhotonMapEngine::flann_incremental)
+        return work(photonmap::FlannIncrementalPhotonSink(prepared.scene(), gather));
+    return work(photonmap::FlannPhotonSink(prepared.scene(), gather));
 }
 
 }  // namespace bench

@@ -92,12 +92,8 @@ std::map<std::string, std::string> provenance_notes() {
 }
 
 std::string describe(const MethodSettings& settings) {
-    const std::string max_radius =
-        settings.photonmap.max_radius == 0 ? "auto" : fmt::format("{:g}", settings.photonmap.max_radius);
-    return fmt::format(
-        "k={} max-radius={} cone={:g} texels={} sh-weight={} gather-texels={}", settings.photonmap.nearest,
-        max_radius, settings.photonmap.cone_slope, settings.shlm.texels,
-        settings.shlm.weight == shlm::ShWeight::flux ? "flux" : "radiance", settings.shlm.nearest);
+    return fmt::format("texels={} max-radius={}", settings.texels,
+                       settings.max_radius == 0 ? "auto" : fmt::format("{:g}", settings.max_radius));
 }
 
 void print_warnings(const LoadedScene& scene, const PreparedMethods& prepared, bool about_lightmap) {

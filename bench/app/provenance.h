@@ -22,7 +22,7 @@ class Interrupted : public std::runtime_error {
 /// The same for an image's header, as shlmbench:KEY.
 [[nodiscard]] std::map<std::string, std::string> provenance_notes();
 
-/// "texels=262144 sh-weight=radiance ..."
+/// "texels=262144 max-radius=auto"
 [[nodiscard]] std::string describe(const MethodSettings& settings);
 
 /// Warnings of the scene on stderr, a line each; those about lightmap coordinates where they matter.

@@ -9,6 +9,7 @@
 #include "bench/app/method_options.h"
 #include "bench/app/provenance.h"
 #include "bench/app/run_options.h"
+#include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
 #include "common/core/threads.h"
@@ -25,6 +26,15 @@ struct RenderOptions {
     RunOptions run;
     std::string hits, photons;
     int width = 640, height = 360;
+};
+
+/// A request, checked.
+struct RenderPlan {
+    const RenderOptions& options;
+    Method method;
+    MethodSettings settings;
+    common::TraceTarget target;
+    std::size_t max_bytes;  ///< for the method
 };
 
 struct Rendering {
@@ -73,17 +83,18 @@ void stop_if_interrupted() {
     if (common::interrupted()) throw Interrupted("render stopped: no image is written");
 }
 
-Rendering trace_and_gather(const RenderOptions& options, const LoadedScene& loaded,
-                           const common::PhotonSource& source, PreparedMethods& prepared,
-                           const common::TraceTarget& target, std::size_t max_bytes) {
+Rendering trace_and_gather(const RenderPlan& plan, const LoadedScene& loaded,
+                           const common::PhotonSource& source, PreparedMethods& prepared) {
+    const RenderOptions& options = plan.options;
+    const common::TraceTarget& target = plan.target;
     const auto pixels = common::visible_surfaces(loaded.rays, loaded.camera, options.width, options.height);
-    return with_sink(options.method, prepared, [&](auto sink) {
+    return with_sink(plan.method, prepared, [&](auto sink) {
         common::Progress progress("tracing", target.hits ? "hits" : "photons",
                                   target.hits ? target.hits : target.photons);
         const auto trace = common::trace_photons(
             loaded.rays, source, options.run.seed, target, sink, [&](const common::TraceReport& so_far) {
                 progress.show(target.hits ? so_far.hits : so_far.fates.emitted);
-                require_memory(options.method, prepared.settings(), expected_hits(so_far, target), max_bytes);
+                require_memory(plan.method, plan.settings, expected_hits(so_far, target), plan.max_bytes);
                 return !common::interrupted();
             });
         stop_if_interrupted();
@@ -94,27 +105,30 @@ Rendering trace_and_gather(const RenderOptions& options, const LoadedScene& load
     });
 }
 
-void run(RenderOptions options) {
-    options.method = full_method_name("--method", options.method);
-    const common::TraceTarget target = target_of(options);
+RenderPlan make_plan(const RenderOptions& options) {
+    RenderPlan plan{options, parse_method("--method", options.method), options.methods.settings(),
+                    target_of(options), max_map_bytes(options)};
     check_output(options);
-    const MethodSettings settings = settings_of(options.method, options.methods.settings());
-    const std::size_t max_bytes = max_map_bytes(options);
-    require_memory(options.method, settings, target.hits, max_bytes);
+    require_memory(plan.method, plan.settings, plan.target.hits, plan.max_bytes);
+    return plan;
+}
+
+void run(const RenderOptions& options) {
+    const RenderPlan plan = make_plan(options);
     common::ThreadPool pool(options.run.thread_count());
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
         const common::PhotonSource source(loaded.scene);
-        PreparedMethods prepared(loaded, settings);
-        const bool light_map = options.method.starts_with("shlm");
-        if (light_map) (void)prepared.texels();  // what cannot be done is said before what is doubtful
-        print_warnings(loaded, prepared, light_map);
-        const Rendering made = trace_and_gather(options, loaded, source, prepared, target, max_bytes);
+        PreparedMethods prepared(loaded, plan.settings);
+        const ShlmMethod* light_map = plan.method.light_map();
+        if (light_map) (void)prepared.texels_of(*light_map);  // what cannot be done is said before what is doubtful
+        print_warnings(loaded, prepared, light_map != nullptr);
+        const Rendering made = trace_and_gather(plan, loaded, source, prepared);
         stop_if_interrupted();
 
         common::ImageNotes notes = provenance_notes();
         notes["shlmbench:scene"] = loaded.name;
-        notes["shlmbench:method"] = options.method;
+        notes["shlmbench:method"] = plan.method.name;
         notes["shlmbench:settings"] = describe(prepared.settings());
         notes["shlmbench:seed"] = std::to_string(options.run.seed);
         notes["shlmbench:hits"] = std::to_string(made.trace.hits);
@@ -137,7 +151,7 @@ void add_render_command(CLI::App& app) {
     command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
     command
         ->add_option("--method", options->method,
-                     "photonmap/flann, photonmap/flann-incremental, shlm or shlm/flux")
+                     "photonmap, shlm, or a full name such as shlm/L2/radiance/knn4")
         ->required();
     command->add_option("--hits", options->hits, "Trace until at least this many hits are stored, e.g. 1e6");
     command->add_option("--photons", options->photons, "Trace exactly this many photons");

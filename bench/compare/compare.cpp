@@ -23,7 +23,7 @@ constexpr int image_width = 640, image_height = 360;
 
 /// A method's picture of the scene, at the most hits that the method was run with.
 struct Picture {
-    std::string method;
+    Method method;
     std::uint64_t hits = 0;
     fs::path file;
 };
@@ -31,13 +31,15 @@ struct Picture {
 std::vector<Picture> pictures_of(const ComparePlan& plan, const std::string& scene,
                                  const nlohmann::ordered_json& rows) {
     std::vector<Picture> pictures;
-    for (const std::string& method : plan.methods) {
-        if (method == "photonmap/flann-incremental") continue;  // photonmap/flann's picture, slower
+    for (const Method& method : plan.methods) {
+        if (const auto* photon_map = method.photon_map();
+            photon_map && photon_map->engine == PhotonMapEngine::flann_incremental)
+            continue;  // photonmap/flann's picture, slower
         Picture picture{method, 0, {}};
         for (const auto& row : rows)
-            if (row["scene"] == scene && row["method"] == method && !row.contains("skipped"))
+            if (row["scene"] == scene && row["method"] == method.name && !row.contains("skipped"))
                 picture.hits = std::max(picture.hits, row["hits_asked"].get<std::uint64_t>());
-        std::string name = method;
+        std::string name = method.name;
         std::replace(name.begin(), name.end(), '/', '-');
         picture.file = plan.out / "images" / fmt::format("{}-{}.png", scene, name);
         if (picture.hits > 0) pictures.push_back(picture);
@@ -73,9 +75,9 @@ bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable
     const CompareScene scene{loaded, source, queries, prepared};
     bool anything_new = false;
     for (std::uint64_t hits : plan.hits) {
-        std::vector<std::string> methods;
+        std::vector<Method> methods;
         std::copy_if(plan.methods.begin(), plan.methods.end(), std::back_inserter(methods),
-                     [&](const std::string& method) { return !table.has(loaded.name, method, hits); });
+                     [&](const Method& method) { return !table.has(loaded.name, method.name, hits); });
         if (methods.empty()) continue;
         const SizeResult result = compare_size(plan, scene, methods, hits);
         table.add(result.rows);

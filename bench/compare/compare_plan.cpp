@@ -66,11 +66,7 @@ ComparePlan make_plan(const CompareOptions& options) {
     for (const std::string& hits : options.hits) plan.hits.push_back(parse_count("--hits", hits));
     std::sort(plan.hits.begin(), plan.hits.end());
     plan.hits.erase(std::unique(plan.hits.begin(), plan.hits.end()), plan.hits.end());
-    for (const std::string& name : options.methods) {
-        const std::string method = full_method_name("--methods", name);
-        if (std::find(plan.methods.begin(), plan.methods.end(), method) == plan.methods.end())
-            plan.methods.push_back(method);
-    }
+    plan.methods = parse_methods("--methods", options.methods);
     prepare_output_folder("--out", plan.out);
     return plan;
 }

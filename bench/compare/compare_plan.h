@@ -27,7 +27,7 @@ struct CompareOptions {
 struct ComparePlan {
     std::vector<std::string> files;
     std::vector<std::uint64_t> hits;   ///< ascending, each once
-    std::vector<std::string> methods;  ///< full names, each once
+    std::vector<Method> methods;
     std::filesystem::path out;         ///< exists and can be written to
     std::size_t max_bytes;
     std::size_t repetitions;

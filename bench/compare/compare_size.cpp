@@ -14,7 +14,7 @@ namespace bench {
 namespace {
 
 /// The row of a method before anything has been measured, with the reason where it will not be run.
-RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const std::string& method,
+RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const Method& method,
                    std::uint64_t hits) {
     RowInput row{.scene = scene.loaded.name,
                  .method = method,
@@ -26,9 +26,9 @@ RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const std
                  .null_sink = {},
                  .measurements = {},
                  .skipped = reason_to_skip(method, plan.settings, hits, plan.max_bytes)};
-    if (!row.skipped.empty() || !method.starts_with("shlm")) return row;
+    if (!row.skipped.empty() || !method.light_map()) return row;
     try {
-        row.texels = scene.prepared.texels().layout.texel_count();
+        row.texels = scene.prepared.texels_of(*method.light_map()).layout.texel_count();
     } catch (const common::InputError& e) {
         row.skipped = e.what();
     }
@@ -57,7 +57,7 @@ bool run_once(const ComparePlan& plan, const CompareScene& scene, std::uint64_t 
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::size_t m = (i + repetition) % rows.size();
         if (!rows[m].skipped.empty()) continue;
-        common::Progress progress(fmt::format("{} {} {}", scene.loaded.name, hits, rows[m].method), "hits",
+        common::Progress progress(fmt::format("{} {} {}", scene.loaded.name, hits, rows[m].method.name), "hits",
                                   hits);
         measured[m] = measure_method(rows[m].method, scene.prepared, workload(progress));
         if (common::interrupted()) return false;
@@ -80,9 +80,9 @@ void warm_up(const ComparePlan& plan, const CompareScene& scene, std::uint64_t h
 }  // namespace
 
 SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
-                        const std::vector<std::string>& methods, std::uint64_t hits) {
+                        const std::vector<Method>& methods, std::uint64_t hits) {
     std::vector<RowInput> rows;
-    for (const std::string& method : methods) rows.push_back(begin_row(plan, scene, method, hits));
+    for (const Method& method : methods) rows.push_back(begin_row(plan, scene, method, hits));
 
     SizeResult result;
     const bool anything =

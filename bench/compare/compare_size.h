@@ -24,6 +24,6 @@ struct SizeResult {
 
 /// Runs the methods interleaved, each repetition beginning with another one, next to the null sink.
 [[nodiscard]] SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
-                                      const std::vector<std::string>& methods, std::uint64_t hits);
+                                      const std::vector<Method>& methods, std::uint64_t hits);
 
 }  // namespace bench

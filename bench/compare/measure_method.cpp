@@ -33,7 +33,8 @@ double gather_all(const Map& map, std::span<const common::SurfacePoint> points) 
     return sum;
 }
 
-std::size_t insert_bytes(const shlm::Sink& sink) {
+template <class Model>
+std::size_t insert_bytes(const shlm::Sink<Model>& sink) {
     return sink.accumulator().bytes();
 }
 
@@ -68,7 +69,7 @@ Measurement measure(Sink sink, const Workload& w) {
 
 }  // namespace
 
-Measurement measure_method(std::string_view method, PreparedMethods& prepared, const Workload& workload) {
+Measurement measure_method(const Method& method, PreparedMethods& prepared, const Workload& workload) {
     common::reset_peak_resident_bytes();
     return with_sink(method, prepared, [&](auto sink) { return measure(std::move(sink), workload); });
 }
@@ -78,7 +79,7 @@ common::TraceReport measure_null_sink(const Workload& workload) {
     return trace_into(sink, workload);
 }
 
-common::Image render_method(std::string_view method, PreparedMethods& prepared, const Workload& workload,
+common::Image render_method(const Method& method, PreparedMethods& prepared, const Workload& workload,
                             std::span<const common::VisibleSurface> pixels, int width, int height) {
     return with_sink(method, prepared, [&](auto sink) {
         const common::TraceReport trace = trace_into(sink, workload);

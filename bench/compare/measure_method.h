@@ -36,14 +36,14 @@ struct Workload {
 
 /// Uses the threads of the calling arena for all but the gathers. An interrupted run has trace.interrupted
 /// set and nothing after the trace.
-[[nodiscard]] Measurement measure_method(std::string_view method, PreparedMethods& prepared,
+[[nodiscard]] Measurement measure_method(const Method& method, PreparedMethods& prepared,
                                          const Workload& workload);
 
 /// The same trace without a store.
 [[nodiscard]] common::TraceReport measure_null_sink(const Workload& workload);
 
 /// An untimed run of the method, and its picture; an empty one where the run was interrupted.
-[[nodiscard]] common::Image render_method(std::string_view method, PreparedMethods& prepared,
+[[nodiscard]] common::Image render_method(const Method& method, PreparedMethods& prepared,
                                           const Workload& workload,
                                           std::span<const common::VisibleSurface> pixels, int width,
                                           int height);

@@ -60,7 +60,7 @@ std::string csv_cell(const Json& value) {
 
 Json make_row(const RowInput& in) {
     Json row = {{"scene", in.scene},
-                {"method", in.method},
+                {"method", in.method.name},
                 {"hits_asked", in.hits_asked},
                 {"seed", in.seed},
                 {"threads", in.threads}};
@@ -111,11 +111,11 @@ std::string rows_as_csv(const Json& rows) {
 
 std::string rows_as_text(const Json& rows) {
     std::string text =
-        fmt::format("{:<10} {:<27} {:>9} {:>9} {:>9} {:>8} {:>9} {:>9} {:>10}\n", "scene", "method", "hits",
+        fmt::format("{:<10} {:<36} {:>9} {:>9} {:>9} {:>8} {:>9} {:>9} {:>10}\n", "scene", "method", "hits",
                     "trace s", "insert ns", "build s", "gather us", "shuffled", "MiB");
     for (const Json& row : rows) {
         const std::string name =
-            fmt::format("{:<10} {:<27} ", row["scene"].get<std::string>(), row["method"].get<std::string>());
+            fmt::format("{:<10} {:<36} ", row["scene"].get<std::string>(), row["method"].get<std::string>());
         if (row.contains("skipped"))
             text += name + fmt::format("{:>9.3g} skipped: {}\n", row["hits_asked"].get<double>(),
                                        row["skipped"].get<std::string>());

@@ -12,7 +12,8 @@ namespace bench {
 
 /// All repetitions of one method on one scene at one number of hits.
 struct RowInput {
-    std::string scene, method;
+    std::string scene;
+    Method method;
     std::uint64_t hits_asked = 0;
     std::uint64_t seed = 0;
     int threads = 1;

@@ -6,15 +6,19 @@
 namespace bench {
 namespace {
 
-/// FLANN's tree over recorded positions. Items: hits.
+/// Sorting recorded photons and FLANN's tree over them. Items: hits.
 void build_flann(benchmark::State& state, SharedInputs& inputs, std::uint64_t hits) {
-    photonmap::PhotonStorage photons;
-    for (const auto& wave : inputs.recording(hits).waves) photons.append(wave);
     for (auto _ : state) {
-        const common::FlannIndex index(photons.positions());
+        state.PauseTiming();
+        photonmap::PhotonStorage photons;
+        for (const auto& wave : inputs.recording(hits).waves) photons.append(wave);
+        state.ResumeTiming();
+        const photonmap::PhotonStorage sorted = std::move(photons).sorted_along_curve();
+        const common::FlannIndex index(sorted.positions());
         benchmark::DoNotOptimize(index.bytes());
     }
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(photons.size()));
+    state.SetItemsProcessed(state.iterations() *
+                            static_cast<std::int64_t>(inputs.recording(hits).report.hits));
 }
 
 /// The finished light map from its sums. Items: texels.
@@ -22,12 +26,11 @@ void build_light_map(benchmark::State& state, SharedInputs& inputs, std::size_t 
     constexpr std::uint64_t hits = 100'000;
     const Recording& recording = inputs.recording(hits);
     const shlm::PreparedTexels& prepared = inputs.methods(texels).texels();
-    const shlm::Settings settings;
-    shlm::Accumulator accumulator(prepared.layout, settings.weight);
+    shlm::Accumulator<shlm::PaperModel> accumulator(prepared.layout);
     replay(recording, accumulator);
     for (auto _ : state) {
-        const shlm::LightMap map(accumulator.sums(), prepared.geometry, recording.report.watts_per_flux(),
-                                 settings.nearest);
+        const shlm::LightMap<shlm::PaperModel> map(
+            accumulator.sums(), prepared, recording.report.watts_per_flux(), shlm::NearestTexels{});
         benchmark::DoNotOptimize(map.bytes());
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(prepared.layout.texel_count()));

@@ -9,7 +9,7 @@ namespace bench {
 namespace {
 
 constexpr std::uint64_t default_hits = 1'000'000;
-constexpr std::size_t default_texels = 262'144;
+using shlm::default_texels;
 
 template <common::IrradianceEstimator Map>
 double mean_irradiance(const Map& map, std::span<const common::SurfacePoint> points) {
@@ -24,12 +24,13 @@ double mean_irradiance(const Map& map, std::span<const common::SurfacePoint> poi
 auto photon_map(SharedInputs& inputs, std::uint64_t hits) {
     const PreparedMethods& methods = inputs.methods(default_texels);
     return map_of(inputs.recording(hits),
-                  photonmap::FlannPhotonSink(methods.scene(), methods.settings().photonmap));
+                  photonmap::FlannPhotonSink(methods.scene(), {.max_radius = methods.settings().max_radius}));
 }
 
 auto light_map(SharedInputs& inputs, std::size_t texels) {
     PreparedMethods& methods = inputs.methods(texels);
-    return map_of(inputs.recording(default_hits), shlm::Sink(methods.texels(), methods.settings().shlm));
+    return map_of(inputs.recording(default_hits),
+                  shlm::Sink<shlm::PaperModel>(methods.texels(), shlm::NearestTexels{}));
 }
 
 /// A value that is made when first asked for: the maps take long to make, and most of them nobody asks for.

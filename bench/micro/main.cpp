@@ -5,6 +5,7 @@
 
 #include "bench/app/provenance.h"
 #include "bench/micro/subjects.h"
+#include "common/core/input_error.h"
 
 namespace {
 

@@ -15,7 +15,7 @@ void evaluate(benchmark::State& state, SharedInputs& inputs) {
     const common::HitBatch& batch = inputs.recording(hits).waves.back().back();
     for (auto _ : state)
         for (const common::Vec3& direction : batch.direction) {
-            shlm::ShValues values = shlm::evaluate_sh(direction);
+            auto values = shlm::evaluate_sh<2>(direction);
             benchmark::DoNotOptimize(values);
         }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(batch.size()));
@@ -24,11 +24,12 @@ void evaluate(benchmark::State& state, SharedInputs& inputs) {
 /// Items: texels of a finished map, each asked for its own normal.
 void irradiance(benchmark::State& state, SharedInputs& inputs) {
     PreparedMethods& methods = inputs.methods(texels);
-    const shlm::LightMap map =
-        map_of(inputs.recording(hits), shlm::Sink(methods.texels(), methods.settings().shlm));
+    const auto map = map_of(inputs.recording(hits),
+                            shlm::Sink<shlm::PaperModel>(methods.texels(), shlm::NearestTexels{}));
     for (auto _ : state)
-        for (const shlm::Texel& texel : map.texels()) {
-            common::Rgb irradiance = shlm::evaluate_irradiance(texel, texel.normal);
+        for (const auto& texel : map.texels()) {
+            common::Rgb irradiance = shlm::evaluate_series<shlm::PaperModel>(
+                texel.light, shlm::evaluate_sh<2>(texel.face.normal));
             benchmark::DoNotOptimize(irradiance);
         }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(map.texels().size()));

@@ -1,6 +1,8 @@
 // What the benchmarks work on: one scene, its recorded hits, and the points that its camera sees.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <map>
 #include <memory>
 #include <string>

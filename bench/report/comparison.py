@@ -4,10 +4,10 @@ import json
 from collections import defaultdict
 from pathlib import Path
 
-PHOTON_MAP = "photonmap/flann"
-INCREMENTAL = "photonmap/flann-incremental"
-LIGHT_MAP = "shlm"
-LIGHT_MAP_FLUX = "shlm/flux"
+PHOTON_MAP = "photonmap/flann/k50/disc"
+INCREMENTAL = "photonmap/flann-incremental/k50/disc"
+LIGHT_MAP = "shlm/L2/radiance/knn4"
+LIGHT_MAP_FLUX = "shlm/L2/flux/knn4"
 
 
 class Comparison:

@@ -79,8 +79,8 @@ def report(comparison):
             "## What a hit stands for: flux or radiance",
             "",
             "The paper treats a photon as a directional light but leaves its strength open. A hit of flux F on texel area a, at incidence theta, is "
-            "F/a on the surface and F/(a cos theta) on a plane that faces the light. With the 1/cos (`--sh-weight radiance`, the default) the light "
-            "map agrees with the photon map; without it (`--sh-weight flux`, the paper read literally) uniform light reads 0.66 of the truth. "
+            "F/a on the surface and F/(a cos theta) on a plane that faces the light. With the 1/cos (radiance, the default) the light "
+            "map agrees with the photon map; without it (flux, the paper read literally) uniform light reads 0.66 of the truth. "
             "Mean irradiance over the query points, W/m^2; one seed, no confidence band.",
             "",
             *weights,

@@ -20,9 +20,9 @@ class FlannIndex {
     /// than max_flann_points.
     explicit FlannIndex(std::span<const Vec3> points);
 
-    template <class Accept>
-    void search(const Vec3& query, NearestSet& nearest, Accept accept) const {
-        if (tree_) flann_search(*tree_, query, nearest, accept);
+    template <PointCollector Collector, class Accept>
+    void search(const Vec3& query, Collector& collector, Accept accept) const {
+        if (tree_) flann_search(*tree_, query, collector, accept);
     }
 
     /// Measured at the allocator: FLANN's own usedMemory() leaves out more than half and overflows at 2 GiB.
@@ -44,9 +44,9 @@ class FlannIncrementalIndex {
     /// and be finite.
     void add(std::span<const Vec3> points);
 
-    template <class Accept>
-    void search(const Vec3& query, NearestSet& nearest, Accept accept) const {
-        if (tree_) flann_search(*tree_, query, nearest, accept);
+    template <PointCollector Collector, class Accept>
+    void search(const Vec3& query, Collector& collector, Accept accept) const {
+        if (tree_) flann_search(*tree_, query, collector, accept);
     }
 
     [[nodiscard]] std::size_t bytes() const { return bytes_; }

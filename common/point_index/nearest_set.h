@@ -1,7 +1,8 @@
-// The k nearest of the points offered to it.
+// What a search hands its points to: the k nearest, or all within a radius.
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <span>
 
@@ -56,6 +57,34 @@ class NearestSet {
     float radius_sq_;
     std::size_t count_ = 0;
 };
+
+/// Calls `use(distance_sq, index)` for every point strictly inside a radius, in the order of the search.
+template <class Use>
+class AllWithin {
+  public:
+    AllWithin(float radius_sq, Use use) : radius_sq_(radius_sq), use_(use) {}
+
+    void offer(float distance_sq, std::uint32_t index) {
+        if (distance_sq < radius_sq_) use_(distance_sq, index);
+    }
+
+    [[nodiscard]] bool full() const { return true; }
+    [[nodiscard]] float reach_sq() const { return radius_sq_; }
+
+  private:
+    float radius_sq_;
+    Use use_;
+};
+
+/// Where a search takes its points; it leaves out what lies beyond the reach, which may shrink as it goes.
+template <class C>
+concept PointCollector = requires(C& collector, float distance_sq, std::uint32_t index) {
+    collector.offer(distance_sq, index);
+    { collector.full() } -> std::same_as<bool>;
+    { collector.reach_sq() } -> std::same_as<float>;
+};
+
+static_assert(PointCollector<NearestSet>);
 
 /// Squared distance as every index computes it, so that equal distances are equal to the last bit.
 template <class A, class B>

@@ -11,8 +11,8 @@ namespace common {
 
 inline constexpr auto accept_all = [](std::uint32_t) { return true; };
 
-/// Offers to `nearest` all points that could belong to it and that `accept(index)` admits. Points that are
-/// not admitted take nobody's place: the k nearest are the k nearest admitted.
+/// Offers to a PointCollector all points that could belong to it and that `accept(index)` admits. Points that
+/// are not admitted take nobody's place: the k nearest are the k nearest admitted.
 template <class I>
 concept PointIndex = requires(const I& index, const Vec3& query, NearestSet& nearest) {
     { index.search(query, nearest, accept_all) } -> std::same_as<void>;
@@ -24,10 +24,10 @@ class BruteForceIndex {
   public:
     explicit BruteForceIndex(std::span<const Vec3> points) : points_(points) {}
 
-    template <class Accept>
-    void search(const Vec3& query, NearestSet& nearest, Accept accept) const {
+    template <PointCollector Collector, class Accept>
+    void search(const Vec3& query, Collector& collector, Accept accept) const {
         for (std::uint32_t i = 0; i < points_.size(); ++i)
-            if (accept(i)) nearest.offer(distance_sq(query, points_[i]), i);
+            if (accept(i)) collector.offer(distance_sq(query, points_[i]), i);
     }
 
     [[nodiscard]] std::size_t bytes() const { return 0; }

@@ -1,40 +1,34 @@
-#include "shlm/accumulator.h"
+#include "shlm/deposit_sorter.h"
 
 #include <oneapi/tbb/parallel_for.h>
 
 namespace shlm {
-namespace {
 
 using common::HitBatch;
-using common::Rgb;
-using common::Vec3;
 
-/// A texel's sums are asked for this many deposits before they are added to: about the time of a cache miss.
-constexpr std::size_t prefetch_distance = 16;
-
-}  // namespace
-
-Accumulator::Accumulator(const TexelLayout& layout, ShWeight weight)
-    : layout_(&layout), weight_(weight), sums_(layout.texel_count()) {
+DepositSorter::DepositSorter(const TexelLayout& layout) : layout_(&layout) {
     while (layout.texel_count() > (max_shares << share_shift_)) ++share_shift_;
 }
 
-void Accumulator::consume(std::span<const HitBatch> wave) {
+void DepositSorter::sort(std::span<const HitBatch> wave) {
     if (batches_.size() < wave.size()) batches_.resize(wave.size());
     tbb::parallel_for(std::size_t{0}, wave.size(), [&](std::size_t b) { find_texels(wave[b], batches_[b]); });
     place_batches(wave.size());
     tbb::parallel_for(std::size_t{0}, wave.size(), [&](std::size_t b) { scatter_to_shares(batches_[b]); });
-    tbb::parallel_for(std::size_t{0}, max_shares, [&](std::size_t share) { add_share(share); });
-    for (std::size_t b = 0; b < wave.size(); ++b) rejected_ += batches_[b].rejected;
+    for (std::size_t b = 0; b < wave.size(); ++b) {
+        rejected_ += batches_[b].rejected;
+        clamped_ += batches_[b].clamped;
+    }
 }
 
-void Accumulator::find_texels(const HitBatch& hits, BatchDeposits& batch) const {
+void DepositSorter::find_texels(const HitBatch& hits, BatchDeposits& batch) const {
     batch.rejected = {};
+    batch.clamped = {};
     batch.deposits.clear();
     batch.share_size.fill(0);
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const common::SurfaceId& surface = hits.surface[i];
-        const Vec3& direction = hits.direction[i];
+        const common::Vec3& direction = hits.direction[i];
         const TriangleTexels& triangle = layout_->triangle(surface.triangle);
         const float cosine = -direction.dot(triangle.normal);
         if (!common::is_finite(hits, i)) {
@@ -44,18 +38,20 @@ void Accumulator::find_texels(const HitBatch& hits, BatchDeposits& batch) const 
         } else if (cosine < 0 && !triangle.both_faces) {
             ++batch.rejected.back_of_single_sided;
         } else {
-            const float weight = weight_ == ShWeight::flux
-                                     ? 1.0f
-                                     : 1.0f / std::max(std::abs(cosine), common::min_incident_cosine);
+            const float incident = std::abs(cosine);
+            const float clamped = std::max(incident, common::min_incident_cosine);
+            const float mean_flux = common::mean_component(hits.flux[i]);
+            batch.clamped.flux += mean_flux;
+            if (incident < clamped) batch.clamped.discarded += mean_flux * (1 - incident / clamped);
             const std::uint32_t texel = texel_at(triangle, surface.u, surface.v, cosine >= 0);
-            batch.deposits.push_back({texel, -direction, hits.flux[i] * weight});
+            batch.deposits.push_back({texel, -direction, 1 / clamped, hits.flux[i]});
             ++batch.share_size[share_of(texel)];
         }
     }
 }
 
 /// Within a share, batch follows batch: each texel gets its deposits in the order of their photons.
-void Accumulator::place_batches(std::size_t batch_count) {
+void DepositSorter::place_batches(std::size_t batch_count) {
     std::uint32_t next = 0;
     for (std::size_t share = 0; share < max_shares; ++share) {
         share_begin_[share] = next;
@@ -68,22 +64,13 @@ void Accumulator::place_batches(std::size_t batch_count) {
     if (by_share_.size() < next) by_share_.resize(next);
 }
 
-void Accumulator::scatter_to_shares(BatchDeposits& batch) {
+void DepositSorter::scatter_to_shares(BatchDeposits& batch) {
     for (const Deposit& deposit : batch.deposits)
         by_share_[batch.share_begin[share_of(deposit.texel)]++] = deposit;
 }
 
-void Accumulator::add_share(std::size_t share) {
-    const std::span<const Deposit> deposits =
-        std::span(by_share_).subspan(share_begin_[share], share_begin_[share + 1] - share_begin_[share]);
-    for (std::size_t i = 0; i < deposits.size(); ++i) {
-        if (i + prefetch_distance < deposits.size()) sums_.prefetch(deposits[i + prefetch_distance].texel);
-        sums_.add(deposits[i].texel, deposits[i].towards_light, deposits[i].weight);
-    }
-}
-
-std::size_t Accumulator::bytes() const {
-    std::size_t bytes = sums_.bytes() + by_share_.capacity() * sizeof(Deposit);
+std::size_t DepositSorter::bytes() const {
+    std::size_t bytes = by_share_.capacity() * sizeof(Deposit);
     for (const BatchDeposits& batch : batches_)
         bytes += sizeof(batch) + batch.deposits.capacity() * sizeof(Deposit);
     return bytes;

@@ -1,0 +1,204 @@
+#include "bench/app/method.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "common/core/input_error.h"
+
+namespace bench {
+namespace {
+
+constexpr std::size_t most_neighbours = 100'000;
+constexpr std::size_t most_texels = 1'000'000'000;
+
+/// The parts of a name, taken one by one; each complaint says what was expected in its place.
+class NameParts {
+  public:
+    NameParts(std::string option, const std::string& name) : option_(std::move(option)), name_(name) {
+        for (std::size_t begin = 0; begin <= name.size();) {
+            const std::size_t end = std::min(name.find('/', begin), name.size());
+            parts_.push_back(name.substr(begin, end - begin));
+            begin = end + 1;
+        }
+    }
+
+    /// The next part, or `otherwise` at the end of the name.
+    std::string take(const std::string& otherwise) {
+        return next_ < parts_.size() ? parts_[next_++] : otherwise;
+    }
+
+    [[nodiscard]] bool at_end() const { return next_ == parts_.size(); }
+
+    [[noreturn]] void complain(const std::string& part, const std::string& expected) const {
+        throw common::InputError(
+            fmt::format("{}: '{}' in the method '{}' is not {}", option_, part, name_, expected));
+    }
+
+    /// The value of the next part, which is one of the given names; the first is the default.
+    template <class Value, std::size_t N>
+    Value take_one_of(const std::array<std::pair<const char*, Value>, N>& choices) {
+        const std::string part = take(choices.front().first);
+        std::vector<std::string> names;
+        for (const auto& [name, value] : choices) {
+            if (part == name) return value;
+            names.emplace_back(name);
+        }
+        complain(part, fmt::format("one of {}", fmt::join(names, ", ")));
+    }
+
+  private:
+    std::string option_, name_;
+    std::vector<std::string> parts_;
+    std::size_t next_ = 0;
+};
+
+/// The number in `text` between a prefix and a suffix, where that is all there is.
+std::optional<double> number_between(std::string_view prefix, std::string_view text, std::string_view suffix) {
+    if (!text.starts_with(prefix) || !text.ends_with(suffix) || text.size() <= prefix.size() + suffix.size())
+        return std::nullopt;
+    const char* const end = text.data() + text.size() - suffix.size();
+    double value = 0;
+    const auto [stop, error] = std::from_chars(text.data() + prefix.size(), end, value);
+    if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+/// The same for a whole number within bounds.
+std::optional<std::size_t> count_between(std::string_view prefix, std::string_view text, std::size_t least,
+                                         std::size_t most) {
+    const auto value = number_between(prefix, text, "");
+    if (!value || *value < static_cast<double>(least) || *value > static_cast<double>(most) ||
+        *value != std::floor(*value))
+        return std::nullopt;
+    return static_cast<std::size_t>(*value);
+}
+
+constexpr std::array<std::pair<const char*, int>, 4> orders = {{{"L2", 2}, {"L0", 0}, {"L1", 1}, {"L4", 4}}};
+constexpr std::array<std::pair<const char*, shlm::ShWeight>, 3> weights = {
+    {{"radiance", shlm::ShWeight::radiance},
+     {"flux", shlm::ShWeight::flux},
+     {"normalised", shlm::ShWeight::normalised}}};
+constexpr std::array<std::pair<const char*, PhotonMapEngine>, 2> engines = {
+    {{"flann", PhotonMapEngine::flann}, {"flann-incremental", PhotonMapEngine::flann_incremental}}};
+constexpr std::array<std::pair<const char*, photonmap::Kernel>, 3> kernels = {
+    {{"disc", photonmap::Kernel::disc},
+     {"cone", photonmap::Kernel::cone},
+     {"epanechnikov", photonmap::Kernel::epanechnikov}}};
+
+template <class Value, std::size_t N>
+const char* name_of(const std::array<std::pair<const char*, Value>, N>& choices, Value value) {
+    return std::find_if(choices.begin(), choices.end(), [&](const auto& c) { return c.second == value; })
+        ->first;
+}
+
+// --- light maps
+
+shlm::Gather take_gather(NameParts& parts) {
+    const std::string part = parts.take("knn4");
+    if (part == "own") return shlm::OwnTexel{};
+    if (part == "bilinear") return shlm::Bilinear{};
+    if (const auto count = count_between("knn", part, 1, most_neighbours)) return shlm::NearestTexels{*count};
+    parts.complain(part, fmt::format("own, bilinear, or knnK with K from 1 to {}", most_neighbours));
+}
+
+std::size_t take_texels(NameParts& parts) {
+    if (parts.at_end()) return 0;
+    const std::string part = parts.take("");
+    if (const auto count = count_between("t", part, 1, most_texels)) return *count;
+    parts.complain(part, "a number of texels such as t65536");
+}
+
+std::string name_of(const shlm::Gather& gather) {
+    if (const auto* nearest = std::get_if<shlm::NearestTexels>(&gather))
+        return fmt::format("knn{}", nearest->count);
+    return std::holds_alternative<shlm::Bilinear>(gather) ? "bilinear" : "own";
+}
+
+std::string name_of(const ShlmMethod& method) {
+    return fmt::format("shlm/{}/{}/{}{}", name_of(orders, method.order), name_of(weights, method.weight),
+                       name_of(method.gather),
+                       method.texels > 0 ? fmt::format("/t{}", method.texels) : std::string());
+}
+
+ShlmMethod take_shlm(NameParts& parts) {
+    ShlmMethod method;
+    method.order = parts.take_one_of(orders);
+    method.weight = parts.take_one_of(weights);
+    method.gather = take_gather(parts);
+    method.texels = take_texels(parts);
+    return method;
+}
+
+// --- photon maps
+
+photonmap::PhotonSelection take_selection(NameParts& parts) {
+    const std::string part = parts.take("k50");
+    if (const auto count = count_between("k", part, 2, most_neighbours))
+        return photonmap::NearestPhotons{*count};
+    if (const auto factor = number_between("k", part, "n23"); factor && *factor > 0 && *factor <= 1)
+        return photonmap::GrowingNumber{*factor};
+    if (const auto fraction = number_between("r", part, ""); fraction && *fraction > 0 && *fraction <= 1)
+        return photonmap::FixedRadius{*fraction};
+    parts.complain(part, fmt::format("kK with K from 2 to {} (one photon has no density), kCn23 for k = C N^(2/3), or rF for "
+                                     "a radius of F scene diagonals",
+                                     most_neighbours));
+}
+
+std::string name_of(const photonmap::PhotonSelection& selection) {
+    if (const auto* nearest = std::get_if<photonmap::NearestPhotons>(&selection))
+        return fmt::format("k{}", nearest->count);
+    if (const auto* growing = std::get_if<photonmap::GrowingNumber>(&selection))
+        return fmt::format("k{:g}n23", growing->factor);
+    return fmt::format("r{:g}", std::get<photonmap::FixedRadius>(selection).diagonal_fraction);
+}
+
+std::string name_of(const PhotonMapMethod& method) {
+    return fmt::format("photonmap/{}/{}/{}", name_of(engines, method.engine), name_of(method.selection),
+                       name_of(kernels, method.kernel));
+}
+
+PhotonMapMethod take_photon_map(NameParts& parts) {
+    PhotonMapMethod method;
+    method.engine = parts.take_one_of(engines);
+    method.selection = take_selection(parts);
+    method.kernel = parts.take_one_of(kernels);
+    return method;
+}
+
+}  // namespace
+
+bool fill_alike(const Method& a, const Method& b) {
+    if (a.light_map() && b.light_map()) return a.light_map()->fills_as(*b.light_map());
+    if (a.photon_map() && b.photon_map()) return a.photon_map()->fills_as(*b.photon_map());
+    return false;
+}
+
+Method parse_method(const std::string& option, const std::string& name) {
+    NameParts parts(option, name);
+    Method method;
+    if (const std::string family = parts.take(""); family == "shlm")
+        method.what = take_shlm(parts);
+    else if (family == "photonmap")
+        method.what = take_photon_map(parts);
+    else
+        parts.complain(family, "shlm or photonmap");
+    if (!parts.at_end()) parts.complain(parts.take(""), "expected after a whole name");
+    method.name = std::visit([](const auto& what) { return name_of(what); }, method.what);
+    return method;
+}
+
+std::vector<Method> parse_methods(const std::string& option, const std::vector<std::string>& names) {
+    std::vector<Method> methods;
+    for (const std::string& name : names) {
+        Method method = parse_method(option, name);
+        const auto same = [&](const Method& m) { return m.name == method.name; };
+        if (std::none_of(methods.begin(), methods.end(), same)) methods.push_back(std::move(method));
+    }
+    return methods;
+}
+
+}  // namespace bench

@@ -1,0 +1,62 @@
+// The methods by name: what is measured, in one word that stays the same in every table.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "photonmap/gather_settings.h"
+#include "shlm/settings.h"
+
+namespace bench {
+
+/// shlm / L0 L1 L2 L4 / radiance flux normalised / own bilinear knnK [/ tTEXELS]
+struct ShlmMethod {
+    int order = 2;
+    shlm::ShWeight weight = shlm::ShWeight::radiance;
+    shlm::Gather gather = shlm::NearestTexels{};
+    std::size_t texels = 0;  ///< 0: as many as --texels says
+
+    /// Whether both sum the same numbers of the same hits, and differ only in how the map is asked.
+    [[nodiscard]] bool fills_as(const ShlmMethod& other) const {
+        return order == other.order && weight == other.weight && texels == other.texels;
+    }
+};
+
+enum class PhotonMapEngine {
+    flann,             ///< one bulk build of KDTreeSingleIndex: how photon maps are made today
+    flann_incremental  ///< every photon inserted into KDTreeIndex: what the paper measures itself against
+};
+
+/// photonmap / flann flann-incremental / kK kFACTORn23 rFRACTION / disc cone epanechnikov
+struct PhotonMapMethod {
+    PhotonMapEngine engine = PhotonMapEngine::flann;
+    photonmap::PhotonSelection selection;
+    photonmap::Kernel kernel = photonmap::Kernel::disc;
+
+    [[nodiscard]] bool fills_as(const PhotonMapMethod& other) const { return engine == other.engine; }
+};
+
+struct Method {
+    std::string name;  ///< in full
+    std::variant<PhotonMapMethod, ShlmMethod> what;
+
+    [[nodiscard]] const ShlmMethod* light_map() const { return std::get_if<ShlmMethod>(&what); }
+    [[nodiscard]] const PhotonMapMethod* photon_map() const { return std::get_if<PhotonMapMethod>(&what); }
+};
+
+/// Whether one store can serve both.
+[[nodiscard]] bool fill_alike(const Method& a, const Method& b);
+
+/// Reads a name; what is left out at its end takes the default: "shlm" is shlm/L2/radiance/knn4, "photonmap"
+/// is photonmap/flann/k50/disc. Throws InputError, naming the option and what may stand in the place that is
+/// wrong.
+[[nodiscard]] Method parse_method(const std::string& option, const std::string& name);
+
+/// All of them, each once, in the order given.
+[[nodiscard]] std::vector<Method> parse_methods(const std::string& option,
+                                                const std::vector<std::string>& names);
+
+}  // namespace bench

@@ -1,0 +1,17 @@
+// Everything about a scene's light map that does not depend on its light.
+#pragma once
+
+#include "shlm/texel_geometry.h"
+
+namespace shlm {
+
+/// Made once, used by any number of runs.
+struct PreparedTexels {
+    TexelLayout layout;
+    std::vector<TexelGeometry> geometry;  ///< one per texel of the layout
+
+    PreparedTexels(const common::Scene& scene, std::span<const LightmapUv> uv, std::size_t texels)
+        : layout(scene, uv, texels), geometry(texel_geometry(scene, layout)) {}
+};
+
+}  // namespace shlm

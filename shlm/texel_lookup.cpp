@@ -1,0 +1,49 @@
+#include "shlm/texel_lookup.h"
+
+#include <numeric>
+
+namespace shlm {
+namespace {
+
+std::vector<common::Vec3> covered_centers(const PreparedTexels& texels) {
+    std::vector<common::Vec3> centers;
+    for (const TexelGeometry& texel : texels.geometry)
+        if (texel.area > 0) centers.push_back(texel.center);
+    centers.shrink_to_fit();
+    return centers;
+}
+
+float largest_area(const PreparedTexels& texels) {
+    float largest = 0;
+    for (const TexelGeometry& texel : texels.geometry) largest = std::max(largest, texel.area);
+    return largest;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> OwnTexelLookup::held_texels(const PreparedTexels& texels) {
+    std::vector<std::uint32_t> all(texels.geometry.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+}
+
+std::vector<std::uint32_t> NearestTexelsLookup::held_texels(const PreparedTexels& texels) {
+    std::vector<std::uint32_t> covered;
+    for (std::size_t i = 0; i < texels.geometry.size(); ++i)
+        if (texels.geometry[i].area > 0) covered.push_back(static_cast<std::uint32_t>(i));
+    return covered;
+}
+
+NearestTexelsLookup::NearestTexelsLookup(const PreparedTexels& texels, NearestTexels nearest)
+    : centers_(covered_centers(texels)),
+      index_(centers_),
+      count_(nearest.count),
+      max_radius_(4 * std::sqrt(largest_area(texels))) {}
+
+TexelLookup make_lookup(const PreparedTexels& texels, const Gather& gather) {
+    if (const auto* nearest = std::get_if<NearestTexels>(&gather)) return NearestTexelsLookup(texels, *nearest);
+    if (std::holds_alternative<Bilinear>(gather)) return BilinearLookup(texels, Bilinear{});
+    return OwnTexelLookup(texels, OwnTexel{});
+}
+
+}  // namespace shlm

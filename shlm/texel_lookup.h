@@ -1,0 +1,125 @@
+// Which texels answer for a point, and with what weight.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "common/estimator/irradiance_estimator.h"
+#include "common/point_index/flann_index.h"
+#include "shlm/prepared_texels.h"
+#include "shlm/settings.h"
+
+namespace shlm {
+
+/// What a lookup knows of a texel of the finished map.
+struct TexelFace {
+    common::Vec3 normal;  ///< unit, out of the face
+    float area;           ///< world units squared; 0: no triangle covers the texel
+
+    [[nodiscard]] bool looks_the_way_of(const common::SurfacePoint& point) const {
+        return area > 0 && normal.dot(point.geometric_normal) > common::same_surface_cosine;
+    }
+};
+
+// Each lookup says which texels of the layout the finished map holds, in its own order, and calls
+// `use(index, weight)` for those that answer for a point; `face(index)` is the TexelFace of one of them.
+// Weights need not add up to 1.
+
+/// The texel that the point lies in. Nothing where it has none.
+class OwnTexelLookup {
+  public:
+    /// `texels` must outlive the lookup.
+    OwnTexelLookup(const PreparedTexels& texels, OwnTexel) : layout_(&texels.layout) {}
+
+    [[nodiscard]] static std::vector<std::uint32_t> held_texels(const PreparedTexels& texels);
+
+    template <class Face, class Use>
+    void visit(const common::SurfacePoint& point, Face, Use use) const {
+        const TriangleTexels& triangle = layout_->triangle(point.surface.triangle);
+        if (triangle.width == 0 || (!point.front && !triangle.both_faces)) return;
+        use(texel_at(triangle, point.surface.u, point.surface.v, point.front), 1.0f);
+    }
+
+    [[nodiscard]] std::size_t bytes() const { return layout_->bytes(); }
+
+  private:
+    const TexelLayout* layout_;
+};
+
+/// The four texels around the point in its mesh instance's rectangle of the lightmap, without those that no
+/// triangle covers and those that look another way. Where the lightmap is cut, it does not see across.
+class BilinearLookup {
+  public:
+    /// `texels` must outlive the lookup.
+    BilinearLookup(const PreparedTexels& texels, Bilinear) : layout_(&texels.layout) {}
+
+    [[nodiscard]] static std::vector<std::uint32_t> held_texels(const PreparedTexels& texels) {
+        return OwnTexelLookup::held_texels(texels);
+    }
+
+    template <class Face, class Use>
+    void visit(const common::SurfacePoint& point, Face face, Use use) const {
+        const TriangleTexels& triangle = layout_->triangle(point.surface.triangle);
+        if (triangle.width == 0 || (!point.front && !triangle.both_faces)) return;
+        const common::Vec2 at = triangle.corner + triangle.edge_u * point.surface.u +
+                                triangle.edge_v * point.surface.v - common::Vec2(0.5f, 0.5f);
+        const float left = std::floor(at.x), top = std::floor(at.y);
+        const std::uint32_t first =
+            triangle.first_texel + (point.front ? 0 : triangle.width * triangle.height);
+        for (int dy = 0; dy < 2; ++dy)
+            for (int dx = 0; dx < 2; ++dx) {
+                const int x = static_cast<int>(left) + dx, y = static_cast<int>(top) + dy;
+                if (x < 0 || y < 0 || x >= static_cast<int>(triangle.width) ||
+                    y >= static_cast<int>(triangle.height))
+                    continue;
+                const std::uint32_t texel =
+                    first + static_cast<std::uint32_t>(y) * triangle.width + static_cast<std::uint32_t>(x);
+                const float across = dx == 0 ? 1 - (at.x - left) : at.x - left;
+                const float down = dy == 0 ? 1 - (at.y - top) : at.y - top;
+                if (face(texel).looks_the_way_of(point)) use(texel, across * down);
+            }
+    }
+
+    [[nodiscard]] std::size_t bytes() const { return layout_->bytes(); }
+
+  private:
+    const TexelLayout* layout_;
+};
+
+/// The nearest texels in space that look the point's way, by their areas projected onto its surface, as far
+/// as four widths of the largest texel: every point of the surface has a texel of its own that near.
+class NearestTexelsLookup {
+  public:
+    NearestTexelsLookup(const PreparedTexels& texels, NearestTexels nearest);
+
+    /// The covered ones.
+    [[nodiscard]] static std::vector<std::uint32_t> held_texels(const PreparedTexels& texels);
+
+    template <class Face, class Use>
+    void visit(const common::SurfacePoint& point, Face face, Use use) const {
+        static thread_local std::vector<common::Neighbour> neighbours;  // a gather must not allocate
+        neighbours.resize(count_);
+        common::NearestSet nearest(neighbours, max_radius_ * max_radius_);
+        index_.search(point.position, nearest, [&](std::uint32_t i) { return face(i).looks_the_way_of(point); });
+        for (const common::Neighbour& neighbour : nearest.found()) {
+            const TexelFace& found = face(neighbour.index);
+            use(neighbour.index, found.area * found.normal.dot(point.geometric_normal));
+        }
+    }
+
+    [[nodiscard]] std::size_t bytes() const {
+        return centers_.capacity() * sizeof(common::Vec3) + index_.bytes();
+    }
+
+  private:
+    std::vector<common::Vec3> centers_;
+    common::FlannIndex index_;
+    std::size_t count_;
+    float max_radius_;  ///< world units
+};
+
+using TexelLookup = std::variant<OwnTexelLookup, BilinearLookup, NearestTexelsLookup>;
+
+[[nodiscard]] TexelLookup make_lookup(const PreparedTexels& texels, const Gather& gather);
+
+}  // namespace shlm

@@ -3,6 +3,7 @@
 
 #include "bench/app/info.h"
 #include "bench/app/provenance.h"
+#include "bench/app/reference.h"
 #include "bench/app/render.h"
 #include "bench/compare/compare.h"
 #include "common/core/input_error.h"
@@ -19,6 +20,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     bench::add_info_command(app);
     bench::add_render_command(app);
+    bench::add_reference_command(app);
     bench::add_compare_command(app);
     try {
         app.parse(argc, argv);

@@ -1,10 +1,10 @@
 #include "bench/app/render.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 
+#include "bench/app/image_output.h"
 #include "bench/app/memory_need.h"
 #include "bench/app/method_options.h"
 #include "bench/app/provenance.h"
@@ -50,21 +50,6 @@ common::TraceTarget target_of(const RenderOptions& options) {
     return {.photons = parse_count("--photons", options.photons)};
 }
 
-void check_output(const RenderOptions& options) {
-    const std::filesystem::path out(options.out);
-    if (out.extension() != ".exr") throw common::InputError("--out: the image is an .exr file");
-    const auto folder = out.has_parent_path() ? out.parent_path() : std::filesystem::path(".");
-    std::error_code ignored;  // a path that cannot be looked at is no folder either
-    if (!std::filesystem::is_directory(folder, ignored))
-        throw common::InputError(fmt::format("--out: there is no folder {}", folder.string()));
-    if (access(folder.c_str(), W_OK) != 0)
-        throw common::InputError(fmt::format("--out: {} cannot be written to", folder.string()));
-    if (std::filesystem::is_directory(out, ignored))
-        throw common::InputError(fmt::format("--out: {} is a folder", out.string()));
-    if (options.width < 1 || options.height < 1 || options.width > 16384 || options.height > 16384)
-        throw common::InputError("--width and --height: from 1 to 16384");
-}
-
 /// Memory that is free for the method beside the image.
 std::size_t max_map_bytes(const RenderOptions& options) {
     constexpr std::size_t pixel_bytes = sizeof(common::VisibleSurface) + 16 * sizeof(float);
@@ -108,7 +93,7 @@ Rendering trace_and_gather(const RenderPlan& plan, const LoadedScene& loaded,
 RenderPlan make_plan(const RenderOptions& options) {
     RenderPlan plan{options, parse_method("--method", options.method), options.methods.settings(),
                     target_of(options), max_map_bytes(options)};
-    check_output(options);
+    check_image_output(options.out, options.width, options.height);
     require_memory(plan.method, plan.settings, plan.target.hits, plan.max_bytes);
     return plan;
 }

@@ -20,6 +20,10 @@ Progress::~Progress() {
     if (drawn_ && terminal_) std::fputs("\r\033[K", stderr);
 }
 
+void Progress::set_total(std::uint64_t total) {
+    total_ = std::max<std::uint64_t>(total, 1);
+}
+
 void Progress::show(std::uint64_t done) {
     using Seconds = std::chrono::duration<double>;
     const auto now = Clock::now();

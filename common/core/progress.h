@@ -17,6 +17,9 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
+    /// For work that learns on the way how much there is.
+    void set_total(std::uint64_t total);
+
     void show(std::uint64_t done);
 
   private:

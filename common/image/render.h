@@ -12,6 +12,11 @@
 
 namespace common {
 
+/// Radiance that reaches the camera, W/(m^2 sr), for the irradiance at the surface that is seen.
+[[nodiscard]] inline Rgb radiance_towards_camera(const VisibleSurface& seen, const Rgb& irradiance) {
+    return (seen.reflectance * irradiance / std::numbers::pi_v<float> + seen.emitted) * seen.throughput;
+}
+
 /// One gather for each pixel that sees a diffuse surface.
 ///
 /// Channels R, G, B: radiance towards the camera, W/(m^2 sr). A: 1 where a diffuse surface is seen, else 0.
@@ -23,8 +28,7 @@ template <IrradianceEstimator Map>
     tbb::parallel_for(std::size_t{0}, image.pixel_count(), [&](std::size_t p) {
         const VisibleSurface& seen = pixels[p];
         const Rgb irradiance = seen.present ? map.irradiance(seen.point) : Rgb(0, 0, 0);
-        const Rgb radiance =
-            (seen.reflectance * irradiance / std::numbers::pi_v<float> + seen.emitted) * seen.throughput;
+        const Rgb radiance = radiance_towards_camera(seen, irradiance);
         for (int c = 0; c < 3; ++c) {
             image.at(p, c) = radiance[c];
             image.at(p, 4 + c) = irradiance[c];

@@ -58,6 +58,7 @@ Texture::Texture(std::string name, int width, int height, std::vector<std::uint8
       width_(width),
       height_(height),
       rgb_(std::move(rgb)),
+      color_space_(color_space),
       wrap_u_(wrap_u),
       wrap_v_(wrap_v) {
     if (width < 1 || height < 1 ||

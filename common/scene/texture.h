@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ class Texture {
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] std::span<const std::uint8_t> rgb() const { return rgb_; }
+    [[nodiscard]] ColorSpace color_space() const { return color_space_; }
+    [[nodiscard]] std::array<Wrap, 2> wrap() const { return {wrap_u_, wrap_v_}; }
     [[nodiscard]] std::size_t bytes() const { return rgb_.capacity(); }
 
   private:
@@ -39,6 +43,7 @@ class Texture {
     int width_, height_;
     std::vector<std::uint8_t> rgb_;
     std::array<float, 256> linear_of_byte_;
+    ColorSpace color_space_;
     Wrap wrap_u_, wrap_v_;
 };
 

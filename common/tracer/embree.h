@@ -24,4 +24,20 @@ inline void intersect_incoherent(RTCScene scene, RTCRayHit& ray_hit) {
 #endif
 }
 
+/// Whether anything lies along a ray whose direction has nothing to do with the last one's.
+[[nodiscard]] inline bool occluded_incoherent(RTCScene scene, RTCRay& ray) {
+#if RTC_VERSION_MAJOR >= 4
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
+    rtcOccluded1(scene, &ray, &arguments);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    rtcOccluded1(scene, &context, &ray);
+#endif
+    return ray.tfar < 0;  // Embree's mark
+}
+
 }  // namespace common

@@ -23,6 +23,21 @@ void check(RTCDevice device) {
         throw std::runtime_error(fmt::format("Embree failed with error {}", static_cast<int>(error)));
 }
 
+RTCRay ray_along(const Vec3& origin, const Vec3& direction, float reach) {
+    return {.org_x = origin.x,
+            .org_y = origin.y,
+            .org_z = origin.z,
+            .tnear = 0,
+            .dir_x = direction.x,
+            .dir_y = direction.y,
+            .dir_z = direction.z,
+            .time = 0,
+            .tfar = reach,
+            .mask = ~0u,
+            .id = 0,
+            .flags = 0};
+}
+
 }  // namespace
 
 void RayScene::Release::operator()(RTCDeviceTy* device) const {
@@ -60,23 +75,17 @@ RayScene::RayScene(const Scene& scene)
 
 std::optional<SurfaceId> RayScene::nearest(const Vec3& origin, const Vec3& direction) const {
     RTCRayHit ray_hit;
-    ray_hit.ray = {.org_x = origin.x,
-                   .org_y = origin.y,
-                   .org_z = origin.z,
-                   .tnear = 0,
-                   .dir_x = direction.x,
-                   .dir_y = direction.y,
-                   .dir_z = direction.z,
-                   .time = 0,
-                   .tfar = std::numeric_limits<float>::infinity(),
-                   .mask = ~0u,
-                   .id = 0,
-                   .flags = 0};
+    ray_hit.ray = ray_along(origin, direction, std::numeric_limits<float>::infinity());
     ray_hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     ray_hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     intersect_incoherent(embree_.get(), ray_hit);
     if (ray_hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return SurfaceId{ray_hit.hit.primID, ray_hit.hit.u, ray_hit.hit.v};
+}
+
+bool RayScene::occluded(const Vec3& origin, const Vec3& direction, float reach) const {
+    RTCRay ray = ray_along(origin, direction, reach);
+    return occluded_incoherent(embree_.get(), ray);
 }
 
 }  // namespace common

@@ -1,4 +1,4 @@
-// The scene's triangles in Embree: nearest surface along a ray.
+// The scene's triangles in Embree: nearest surface along a ray, and whether two points see each other.
 #pragma once
 
 #include <memory>
@@ -18,6 +18,10 @@ class RayScene {
 
     /// Nearest surface from `origin` along `direction` (unit), if there is one.
     [[nodiscard]] std::optional<SurfaceId> nearest(const Vec3& origin, const Vec3& direction) const;
+
+    /// Whether a surface lies between `origin` and `origin + direction * reach`. `direction` may have any
+    /// length but 0; `reach` may be infinite.
+    [[nodiscard]] bool occluded(const Vec3& origin, const Vec3& direction, float reach) const;
 
     /// `position`, on a surface with unit normal `normal`, moved off it along `normal` by as much as rounding
     /// may have put it on the wrong side: rays that leave towards that side start here.

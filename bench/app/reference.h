@@ -1,0 +1,10 @@
+// shlmbench reference: what the methods estimate, by path tracing, with its error.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace bench {
+
+void add_reference_command(CLI::App& app);
+
+}  // namespace bench

@@ -1,0 +1,157 @@
+#include "common/reference/path.h"
+
+#include <numbers>
+
+#include "common/reference/directions.h"
+#include "common/reference/specular.h"
+
+namespace common::reference {
+namespace {
+
+using Imath::V3d;
+using std::numbers::pi;
+
+/// Surfaces that a path meets before chance may end it.
+constexpr int sure_surfaces = 4;
+
+V3d doubles(const Rgb& c) {
+    return {static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z)};
+}
+
+double largest(const V3d& v) {
+    return std::max({v.x, v.y, v.z});
+}
+
+/// A direction that was chosen at a diffuse surface, and what it takes to weigh a light that it meets.
+struct ChosenDirection {
+    Vec3 origin;
+    Vec3 towards;    ///< unit
+    double density;  ///< per solid angle
+};
+
+class Path {
+  public:
+    Path(const RayScene& rays, const Lights& lights, RandomStream& stream)
+        : rays_(rays), scene_(rays.scene()), lights_(lights), stream_(stream) {}
+
+    V3d irradiance(const SurfacePoint& point, const FirstNumbers& first) {
+        Receiver receiver{rays_.off_surface(point.position, point.geometric_normal), point.shading_normal,
+                          point.geometric_normal};
+        FirstNumbers numbers = first;
+        while (true) {
+            const LightChoice choice(lights_, receiver);
+            add_light(receiver, choice, numbers);
+            const ChosenDirection chosen = choose_direction(receiver, numbers);
+            if (chosen.towards.dot(receiver.geometric_normal) <= 0 || chosen.density <= 0) break;
+            const std::optional<Receiver> next = follow(chosen, choice);
+            if (!next) break;
+            receiver = *next;
+            numbers = {{stream_.next(), stream_.next()}, {stream_.next(), stream_.next()}, stream_.next()};
+        }
+        return sum_;
+    }
+
+  private:
+    static ChosenDirection choose_direction(const Receiver& receiver, const FirstNumbers& numbers) {
+        const Vec3 towards = cosine_direction(receiver.normal, numbers.direction);
+        return {receiver.origin, towards, V3d(receiver.normal).dot(V3d(towards)) / pi};
+    }
+
+    /// Next event estimation.
+    void add_light(const Receiver& receiver, const LightChoice& choice, const FirstNumbers& numbers) {
+        const std::int32_t chosen = choice.choose(numbers.which_light);
+        if (chosen < 0) return;
+        const auto sample = sample_light(rays_, lights_.light()[chosen], receiver, numbers.on_light);
+        if (!sample || rays_.occluded(receiver.origin, sample->towards, sample->reach)) return;
+        const double probability = choice.probability(chosen);
+        double weight = 1;
+        if (sample->density > 0) {
+            const double by_light = probability * sample->density;
+            const double by_direction = V3d(receiver.normal).dot(V3d(sample->towards).normalized()) / pi;
+            weight = by_light / (by_light + by_direction);
+        }
+        add(doubles(sample->irradiance) * (weight / probability));
+    }
+
+    /// Goes along `chosen`, through mirrors and glass, collecting what is emitted, to the next diffuse
+    /// surface.
+    std::optional<Receiver> follow(const ChosenDirection& chosen, const LightChoice& choice) {
+        Vec3 origin = chosen.origin, towards = chosen.towards;
+        for (bool straight = true;; straight = false) {
+            const std::optional<SurfaceId> surface = rays_.nearest(origin, towards);
+            if (!surface) {
+                if (scene_.sky) add(doubles(scene_.sky->radiance) * pi);
+                return std::nullopt;
+            }
+            const Vec3 position = position_at(scene_, *surface);
+            const double weight =
+                straight ? weight_of_meeting(surface->triangle, position, chosen, choice) : 1;
+            add(emitted(*surface, towards) * (pi * weight));
+            if (++surfaces_ > max_surfaces) return std::nullopt;
+
+            throughput_ *= doubles(base_color_at(scene_, *surface));
+            if (scene_.material_of(surface->triangle).kind == SurfaceKind::diffuse) {
+                if (!survives()) return std::nullopt;
+                const Vec3& front = scene_.geometric_normal[surface->triangle];
+                const Vec3 normal = towards.dot(front) < 0 ? front : -front;
+                return Receiver{rays_.off_surface(position, normal), normal, normal};
+            }
+            const auto arrival = specular_arrival(scene_, *surface, -towards, stream_.next());
+            if (!arrival) return std::nullopt;
+            throughput_ *= arrival->factor;
+            index_sq_ *= arrival->index_ratio_sq;
+            if (!survives()) return std::nullopt;
+            origin = rays_.off_surface(position, arrival->geometric_normal);
+            towards = arrival->towards;
+        }
+    }
+
+    /// Share of what `chosen` meets that is not left to next event estimation, which finds it as well.
+    double weight_of_meeting(std::uint32_t triangle, const Vec3& position, const ChosenDirection& chosen,
+                             const LightChoice& choice) const {
+        const std::int32_t light = lights_.of_triangle(triangle);
+        if (light < 0) return 1;
+        const auto& area = std::get<AreaLight>(lights_.light()[light]);
+        const double by_light = choice.probability(light) * density_of(area, position - chosen.origin);
+        return chosen.density / (chosen.density + by_light);
+    }
+
+    /// Radiance of the surface itself against the direction `towards`.
+    V3d emitted(const SurfaceId& surface, const Vec3& towards) const {
+        const Material& material = scene_.material_of(surface.triangle);
+        const bool front = towards.dot(scene_.geometric_normal[surface.triangle]) < 0;
+        if (!material.emits() || !(front || material.double_sided)) return V3d(0, 0, 0);
+        return doubles(emitted_radiance_at(scene_, surface));
+    }
+
+    /// Russian roulette on what the path still carries. The squared index of a medium is left out: it comes
+    /// off again where the path leaves the medium.
+    bool survives() {
+        const double carried = largest(throughput_) / index_sq_;
+        if (!(carried > 0)) return false;
+        if (surfaces_ <= sure_surfaces || carried >= 1) return true;
+        if (stream_.next() >= carried) return false;
+        throughput_ /= carried;
+        return true;
+    }
+
+    void add(const V3d& irradiance) { sum_ += throughput_ * irradiance; }
+
+    const RayScene& rays_;
+    const Scene& scene_;
+    const Lights& lights_;
+    RandomStream& stream_;
+    V3d sum_{0, 0, 0};
+    V3d throughput_{1, 1, 1};  ///< irradiance at the visible point over irradiance where the path is
+    double index_sq_ = 1;      ///< the part of `throughput_` that squared indices make up
+    int surfaces_ = 1;
+};
+
+}  // namespace
+
+V3d sample_irradiance(const RayScene& rays, const Lights& lights, const SurfacePoint& point,
+                      const FirstNumbers& first, RandomStream& stream) {
+    return Path(rays, lights, stream).irradiance(point, first);
+}
+
+}  // namespace common::reference

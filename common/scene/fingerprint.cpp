@@ -1,0 +1,112 @@
+#include "common/scene/fingerprint.h"
+
+#include <fmt/format.h>
+
+#include <span>
+#include <type_traits>
+
+namespace common {
+namespace {
+
+class Hash {
+  public:
+    /// Numbers and arrays of numbers only: padding would bring in bytes that mean nothing.
+    template <class T>
+    void add(const T& value) {
+        static_assert(std::is_standard_layout_v<T>);  // Imath's vectors copy by hand
+        add_bytes(&value, sizeof(T));
+    }
+
+    template <class T>
+    void add_all(std::span<const T> values) {
+        add(values.size());
+        add_bytes(values.data(), values.size_bytes());
+    }
+
+    [[nodiscard]] std::uint64_t value() const { return value_; }
+
+  private:
+    void add_bytes(const void* bytes, std::size_t count) {
+        for (const std::uint8_t byte : std::span(static_cast<const std::uint8_t*>(bytes), count))
+            value_ = (value_ ^ byte) * 0x100000001b3ULL;
+    }
+
+    std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
+void add_geometry(Hash& hash, const Scene& scene) {
+    hash.add_all(std::span<const Vec3>(scene.position));
+    hash.add_all(std::span<const Vec3>(scene.normal));
+    for (const auto& texcoord : scene.texcoord) hash.add_all(std::span<const Vec2>(texcoord));
+    hash.add_all(std::span<const Vec3>(scene.tangent));
+    hash.add_all(std::span<const float>(scene.tangent_sign));
+    hash.add_all(std::span<const TriangleVertices>(scene.triangle));
+    hash.add(scene.instance.size());
+    for (const MeshInstance& instance : scene.instance) {
+        hash.add(instance.first_triangle);
+        hash.add(instance.triangle_count);
+        hash.add(instance.material);
+    }
+}
+
+void add_use(Hash& hash, const TextureUse& use) {
+    hash.add(use.texture);
+    hash.add(use.texcoord_set);
+}
+
+void add_material(Hash& hash, const Material& material) {
+    hash.add(material.kind);
+    hash.add(material.base_color);
+    add_use(hash, material.base_color_texture);
+    add_use(hash, material.normal_texture);
+    hash.add(material.normal_scale);
+    hash.add(material.emitted_radiance);
+    add_use(hash, material.emissive_texture);
+    hash.add(material.index_of_refraction);
+    hash.add(material.double_sided);
+}
+
+void add_texture(Hash& hash, const Texture& texture) {
+    hash.add(texture.width());
+    hash.add(texture.height());
+    hash.add(texture.color_space());
+    hash.add(texture.wrap());
+    hash.add_all(texture.rgb());
+}
+
+void add_lights(Hash& hash, const Scene& scene) {
+    hash.add(scene.point_light.size());
+    for (const PointLight& light : scene.point_light) {
+        hash.add(light.position);
+        hash.add(light.intensity);
+    }
+    hash.add(scene.spot_light.size());
+    for (const SpotLight& light : scene.spot_light) {
+        hash.add(light.position);
+        hash.add(light.axis);
+        hash.add(light.intensity);
+        hash.add(light.cos_inner_angle);
+        hash.add(light.cos_outer_angle);
+    }
+    hash.add(scene.directional_light.size());
+    for (const DirectionalLight& light : scene.directional_light) {
+        hash.add(light.direction);
+        hash.add(light.irradiance);
+    }
+    hash.add(scene.sky ? scene.sky->radiance : Rgb(0, 0, 0));
+}
+
+}  // namespace
+
+std::string fingerprint(const Scene& scene) {
+    Hash hash;
+    add_geometry(hash, scene);
+    hash.add(scene.material.size());
+    for (const Material& material : scene.material) add_material(hash, material);
+    hash.add(scene.texture.size());
+    for (const Texture& texture : scene.texture) add_texture(hash, texture);
+    add_lights(hash, scene);
+    return fmt::format("{:016x}", hash.value());
+}
+
+}  // namespace common

@@ -1,6 +1,7 @@
 // shlmbench: photon maps against spherical harmonic light maps.
 #include <fmt/format.h>
 
+#include "bench/app/diff.h"
 #include "bench/app/info.h"
 #include "bench/app/provenance.h"
 #include "bench/app/reference.h"
@@ -11,6 +12,7 @@
 
 namespace {
 
+constexpr int bound_exceeded = 1;
 constexpr int bad_input = 2;
 constexpr int stopped_by_user = 130;  // as shells have it for SIGINT
 
@@ -22,6 +24,7 @@ int run(int argc, char** argv) {
     bench::add_render_command(app);
     bench::add_reference_command(app);
     bench::add_compare_command(app);
+    bench::add_diff_command(app);
     try {
         app.parse(argc, argv);
         return 0;
@@ -42,6 +45,9 @@ int main(int argc, char** argv) {
     } catch (const common::InputError& e) {
         fmt::print(stderr, "shlmbench: {}\n", e.what());
         return bad_input;
+    } catch (const bench::BoundExceeded& e) {
+        fmt::print(stderr, "shlmbench: {}\n", e.what());
+        return bound_exceeded;
     } catch (const bench::Interrupted& e) {
         fmt::print(stderr, "shlmbench: {}\n", e.what());
         return stopped_by_user;

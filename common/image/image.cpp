@@ -86,6 +86,10 @@ void write_png(const fs::path& file, int width, int height, std::span<const Disp
     write_safely(file, spec, OIIO::TypeUInt8, colors.data());
 }
 
+bool holds_linear_values(const fs::path& file) {
+    return open_image(file)->spec().format.is_floating_point();
+}
+
 Image read_image(const fs::path& file) {
     const auto in = open_image(file);
     const OIIO::ImageSpec& spec = in->spec();

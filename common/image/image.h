@@ -56,6 +56,10 @@ using DisplayColor = std::array<std::uint8_t, 3>;
 void write_png(const std::filesystem::path& file, int width, int height,
                std::span<const DisplayColor> colors);
 
+/// Whether a file's values are floating-point numbers, linear in light, and no display colours. Throws
+/// InputError where it cannot be read.
+[[nodiscard]] bool holds_linear_values(const std::filesystem::path& file);
+
 /// Reads any image file as float. Throws InputError where it cannot be read.
 [[nodiscard]] Image read_image(const std::filesystem::path& file);
 

@@ -1,0 +1,88 @@
+#include "common/difference/flip.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+
+#include "common/core/input_error.h"
+#include "common/difference/flip_exposures.h"
+#include "common/difference/flip_perception.h"
+
+namespace common {
+namespace {
+
+constexpr float color_exponent = 0.7f;  // Andersson et al. 2020, section 4.1.3, and eq. 7 for what follows
+constexpr float feature_exponent = 0.5f;
+
+FlipFilters flip_filters() {
+    return {contrast_filters(flip_pixels_per_degree), feature_filters(flip_pixels_per_degree)};
+}
+
+/// The largest difference of colours that a display can show: green to blue.
+float largest_color_difference() {
+    return std::pow(hyab_distance(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), color_exponent);
+}
+
+/// 0 to 1. The smaller four tenths of all differences take 0.95 of the range: those beyond all look large.
+float color_difference(const HuntLab& p, const HuntLab& q, float largest) {
+    constexpr float knee = 0.4f, at_knee = 0.95f;
+    const float share = std::pow(hyab_distance(p, q), color_exponent) / largest;
+    return share < knee ? share * (at_knee / knee) : at_knee + (share - knee) / (1 - knee) * (1 - at_knee);
+}
+
+/// 0 to 1: an edge or a point that only one of the two has.
+float feature_difference(const PerceivedPixel& p, const PerceivedPixel& q) {
+    const float larger = std::max(std::abs(p.edge - q.edge), std::abs(p.point - q.point));
+    return std::pow(larger / std::numbers::sqrt2_v<float>, feature_exponent);
+}
+
+void check_images(std::span<const Rgb> image, std::span<const Rgb> reference, int width, int height) {
+    const auto pixels = static_cast<std::size_t>(width) * height;
+    if (width < 1 || height < 1 || image.size() != pixels || reference.size() != pixels)
+        throw InputError(fmt::format("FLIP: {} and {} pixels are no two images of {} x {}", image.size(),
+                                     reference.size(), width, height));
+    const auto finite = [](const Rgb& color) { return is_finite(color); };
+    if (!std::all_of(image.begin(), image.end(), finite) ||
+        !std::all_of(reference.begin(), reference.end(), finite))
+        throw InputError("FLIP: an image has values that are not finite");
+}
+
+}  // namespace
+
+std::vector<float> displayed_flip_map(std::span<const Rgb> image, std::span<const Rgb> reference, int width,
+                                      int height) {
+    const FlipFilters filters = flip_filters();
+    const auto seen = perceived(image, width, height, filters);
+    const auto expected = perceived(reference, width, height, filters);
+    const float largest = largest_color_difference();
+    std::vector<float> map(seen.size());
+    tbb::parallel_for(std::size_t{0}, seen.size(), [&](std::size_t p) {
+        map[p] = std::pow(color_difference(seen[p].color, expected[p].color, largest),
+                          1 - feature_difference(seen[p], expected[p]));
+    });
+    return map;
+}
+
+std::vector<float> flip_map(std::span<const Rgb> image, std::span<const Rgb> reference, int width,
+                            int height) {
+    check_images(image, reference, width, height);
+    const Exposures exposures = exposures_for(reference);
+    std::vector<float> map(image.size(), 0.0f);
+    for (int i = 0; i < exposures.count; ++i) {
+        const double stop = exposures.at(i);
+        const auto at_stop =
+            displayed_flip_map(displayed(image, stop), displayed(reference, stop), width, height);
+        std::transform(map.begin(), map.end(), at_stop.begin(), map.begin(),
+                       [](float p, float q) { return std::max(p, q); });
+    }
+    return map;
+}
+
+double mean(std::span<const float> map) {
+    return std::accumulate(map.begin(), map.end(), 0.0) / static_cast<double>(map.size());
+}
+
+}  // namespace common

@@ -1,0 +1,28 @@
+// What a viewer makes of one displayed image, in FLIP's model (Andersson et al. 2020, section 4).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/difference/flip_colors.h"
+#include "common/difference/flip_filters.h"
+
+namespace common {
+
+/// Of one pixel: the colour there as a blurring eye sees it, and how much of an edge and of a point is there,
+/// 0 to about 1.
+struct PerceivedPixel {
+    HuntLab color;
+    float edge = 0, point = 0;
+};
+
+struct FlipFilters {
+    ContrastFilters contrast;
+    FeatureFilters feature;
+};
+
+/// `displayed`: linear RGB, 0 to 1, `width` times `height` pixels row by row.
+[[nodiscard]] std::vector<PerceivedPixel> perceived(std::span<const Rgb> displayed, int width, int height,
+                                                    const FlipFilters& filters);
+
+}  // namespace common

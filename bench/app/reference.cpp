@@ -8,6 +8,7 @@
 #include "bench/app/provenance.h"
 #include "bench/app/reference_target.h"
 #include "bench/app/run_options.h"
+#include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
 #include "common/core/threads.h"

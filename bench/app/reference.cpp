@@ -13,6 +13,7 @@
 #include "common/core/progress.h"
 #include "common/core/threads.h"
 #include "common/reference/continuation.h"
+#include "common/reference/paths_not_found.h"
 #include "common/reference/strata.h"
 #include "common/scene/fingerprint.h"
 
@@ -47,26 +48,10 @@ struct Run {
                    reference::describe(l.camera)} {}
 };
 
-/// Light that no path finds, in words; empty where every kind is found.
-std::string paths_not_found(const common::Scene& scene) {
-    const bool specular = std::ranges::any_of(scene.instance, [&](const common::MeshInstance& instance) {
-        return scene.material[instance.material].kind != common::SurfaceKind::diffuse;
-    });
-    if (!specular) return "";
-    std::string kinds;
-    const auto add = [&](std::size_t count, const char* kind) {
-        if (count > 0) kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
-    };
-    add(scene.point_light.size(), "point");
-    add(scene.spot_light.size(), "spot");
-    add(scene.directional_light.size(), "directional");
-    return kinds.empty() ? "" : fmt::format("light of {} lights by way of mirrors or glass", kinds);
-}
-
 void print_warnings(const LoadedScene& loaded) {
     for (const std::string& line : loaded.scene.warnings)
         fmt::print(stderr, "{}: warning: {}\n", loaded.name, line);
-    if (const std::string lost = paths_not_found(loaded.scene); !lost.empty())
+    if (const std::string lost = reference::paths_not_found(loaded.scene); !lost.empty())
         fmt::print(stderr, "{}: warning: not in the reference: {}\n", loaded.name, lost);
 }
 
@@ -79,7 +64,7 @@ void require_light(const common::Scene& scene, const reference::Lights& lights) 
 void write(const Run& run, const reference::ReferenceSums& sums) {
     common::ImageNotes notes = provenance_notes();
     notes.merge(reference::continuation_notes(run.identity, sums));
-    const std::string lost = paths_not_found(run.loaded.scene);
+    const std::string lost = reference::paths_not_found(run.loaded.scene);
     notes["shlmbench:scene"] = run.loaded.name;
     notes["shlmbench:method"] = "reference";
     notes["shlmbench:samples_per_pixel"] = std::to_string(sums.passes * samples_per_pass);

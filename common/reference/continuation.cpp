@@ -62,7 +62,10 @@ ImageNotes continuation_notes(const ReferenceIdentity& identity, const Reference
 }
 
 std::optional<ReferenceSums> sums_to_go_on_from(const fs::path& file, const ReferenceIdentity& identity) {
-    if (!fs::exists(file)) return std::nullopt;
+    std::error_code error;
+    const bool exists = fs::exists(file, error);
+    if (error) throw InputError(fmt::format("--out: {}: {}", file.string(), error.message()));
+    if (!exists) return std::nullopt;
     const ReferenceImage image = read_reference(file);
     require_same(file, image, identity);
     ReferenceSums sums(image.pixel.size());

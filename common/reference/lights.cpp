@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/reference/expected_light.h"
+
 namespace common::reference {
 
 Lights::Lights(const Scene& scene) : of_triangle_(scene.triangle.size(), -1) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/reference/light.h"
+#include "common/reference/receiver.h"
 
 namespace common::reference {
 

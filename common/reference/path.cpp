@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "common/reference/directions.h"
+#include "common/reference/light_sample.h"
 #include "common/reference/specular.h"
 
 namespace common::reference {

@@ -3,6 +3,7 @@
 
 #include "common/reference/lights.h"
 #include "common/reference/strata.h"
+#include "common/tracer/ray_scene.h"
 
 namespace common::reference {
 

@@ -7,6 +7,7 @@
 #include "bench/app/reference.h"
 #include "bench/app/render.h"
 #include "bench/compare/compare.h"
+#include "bench/study/study.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 
@@ -24,6 +25,7 @@ int run(int argc, char** argv) {
     bench::add_render_command(app);
     bench::add_reference_command(app);
     bench::add_compare_command(app);
+    bench::add_study_command(app);
     bench::add_diff_command(app);
     try {
         app.parse(argc, argv);

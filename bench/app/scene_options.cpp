@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 #include <numbers>
+#include <set>
 
 #include "common/core/input_error.h"
 #include "common/gltf/load_gltf.h"
@@ -98,6 +99,19 @@ std::uint64_t parse_count(const std::string& option, const std::string& text) {
     if (!rest.empty() || !(value >= 1 && value <= 1e15) || value != std::floor(value))
         throw InputError(fmt::format("{}: '{}' is not a whole number from 1 to 1e15", option, text));
     return static_cast<std::uint64_t>(value);
+}
+
+std::vector<std::uint64_t> parse_sizes(const std::string& option, const std::vector<std::string>& texts) {
+    std::set<std::uint64_t> sizes;
+    for (const std::string& text : texts) sizes.insert(parse_count(option, text));
+    return {sizes.begin(), sizes.end()};
+}
+
+void require_different_names(const std::vector<std::string>& files) {
+    std::set<std::string> names;
+    for (const std::string& file : files)
+        if (const std::string name = std::filesystem::path(file).stem().string(); !names.insert(name).second)
+            throw InputError(fmt::format("two scenes have the name {}", name));
 }
 
 std::size_t parse_bytes(const std::string& option, const std::string& text) {

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-
-#include "bench/app/build_info.h"
+#include "bench/app/output_folder.h"
 #include "bench/app/provenance.h"
+#include "bench/app/python.h"
 #include "bench/compare/compare_plan.h"
 #include "bench/compare/compare_size.h"
-#include "bench/compare/output_folder.h"
 #include "bench/compare/result_table.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
@@ -101,21 +99,6 @@ void check_scenes(const ComparePlan& plan) {
     }
 }
 
-std::string shell_quoted(const std::string& text) {
-    std::string quoted = "'";
-    for (char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
-}
-
-/// Draws the charts with the project's Python script.
-void draw_charts(const ComparePlan& plan) {
-    const std::string command = fmt::format(
-        "/usr/bin/python3 {} {}", shell_quoted(std::string(source_folder) + "/bench/report/charts.py"),
-        shell_quoted(plan.out.string()));
-    if (std::system(command.c_str()) != 0)
-        fmt::print(stderr, "compare: the charts could not be drawn; the table is complete\n");
-}
-
 void run(const CompareOptions& options) {
     const ComparePlan plan = make_plan(options);
     common::ThreadPool pool(plan.threads);
@@ -126,7 +109,8 @@ void run(const CompareOptions& options) {
             if (!compare_scene(plan, file, table))
                 throw Interrupted(fmt::format("compare stopped: {} finished rows are in {}",
                                               table.rows().size(), (plan.out / "compare.json").string()));
-        draw_charts(plan);
+        if (!run_python("bench/report/charts.py", plan.out))
+            fmt::print(stderr, "compare: the charts could not be drawn; the table is complete\n");
         fmt::print("{}", rows_as_text(table.rows()));
         fmt::print("\n{}\n", (plan.out / "compare.json").string());
     });

@@ -2,27 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <set>
-
 #include "bench/app/memory_need.h"
-#include "bench/compare/output_folder.h"
+#include "bench/app/output_folder.h"
 #include "common/core/input_error.h"
 
 namespace bench {
-namespace {
-
-/// Rows, charts and images go by the scene's name.
-void check_names(const std::vector<std::string>& files) {
-    std::set<std::string> names;
-    for (const std::string& file : files)
-        if (const std::string name = std::filesystem::path(file).stem().string(); !names.insert(name).second)
-            throw common::InputError(fmt::format("two scenes have the name {}", name));
-}
-
-}  // namespace
-
 void CompareOptions::add_to(CLI::App& command) {
     command.add_option("SCENE", files, "glTF 2.0 files, .gltf or .glb")->required();
     command.add_option("--hits", hits, "Numbers of hits, separated by commas")
@@ -46,10 +30,10 @@ void CompareOptions::add_to(CLI::App& command) {
 }
 
 ComparePlan make_plan(const CompareOptions& options) {
-    check_names(options.files);
+    require_different_names(options.files);
     ComparePlan plan{.files = options.files,
-                     .hits = {},
-                     .methods = {},
+                     .hits = parse_sizes("--hits", options.hits),
+                     .methods = parse_methods("--methods", options.methods),
                      .out = options.out,
                      .max_bytes = options.max_memory.empty()
                                       ? default_max_bytes()
@@ -63,10 +47,6 @@ ComparePlan make_plan(const CompareOptions& options) {
     if (plan.repetitions < 1 || plan.repetitions > 10'000)
         throw common::InputError("--repetitions: from 1 to 10000");
     if (!(plan.seconds_per_size >= 0)) throw common::InputError("--seconds-per-size: must not be negative");
-    for (const std::string& hits : options.hits) plan.hits.push_back(parse_count("--hits", hits));
-    std::sort(plan.hits.begin(), plan.hits.end());
-    plan.hits.erase(std::unique(plan.hits.begin(), plan.hits.end()), plan.hits.end());
-    plan.methods = parse_methods("--methods", options.methods);
     prepare_output_folder("--out", plan.out);
     return plan;
 }

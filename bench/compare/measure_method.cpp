@@ -1,21 +1,11 @@
 #include "bench/compare/measure_method.h"
 
+#include "bench/app/stopwatch.h"
 #include "common/core/memory_use.h"
 #include "common/tracer/null_sink.h"
 
 namespace bench {
 namespace {
-
-class Stopwatch {
-  public:
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(Clock::now() - start_).count();
-    }
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point start_ = Clock::now();
-};
 
 template <class Sink>
 common::TraceReport trace_into(Sink& sink, const Workload& w) {

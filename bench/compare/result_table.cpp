@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
+#include "bench/app/earlier_rows.h"
+#include "bench/app/output_folder.h"
 #include "bench/app/provenance.h"
-#include "bench/compare/output_folder.h"
 #include "bench/compare/row.h"
 
 namespace bench {
@@ -23,28 +23,18 @@ Json context_of(const ComparePlan& plan) {
     return context;
 }
 
-/// Whether rows measured under `earlier` can stand beside rows measured under `now`: all but the date must
-/// agree, the time when the program was built included.
-bool is_same_context(Json earlier, Json now) {
-    earlier.erase("date");
-    now.erase("date");
-    return earlier == now;
-}
-
 /// The rows in `file` that can be kept; empty where there are none. Skipped ones are judged anew, and ones
 /// with fewer repetitions than were asked for, because the user ended them, measured anew.
 Json earlier_rows(const std::filesystem::path& file, const Json& context) {
-    std::ifstream in(file);
-    const Json document = Json::parse(in, nullptr, false);
-    if (!document.is_object() || !document.contains("context") || !document.contains("rows"))
-        return Json::array();
-    if (!is_same_context(document["context"], context)) {
+    const EarlierRows earlier = read_earlier_rows(file, context);
+    if (!earlier.found) return Json::array();
+    if (!earlier.same_context) {
         fmt::print(stderr, "compare: {} is of another build, machine or setting and is written anew\n",
                    file.string());
         return Json::array();
     }
     Json kept = Json::array();
-    for (const Json& row : document["rows"])
+    for (const Json& row : earlier.document["rows"])
         if (!row.contains("skipped") && !row.contains("interrupted")) kept.push_back(row);
     fmt::print(stderr, "compare: {} rows in {} are of this build and settings and are kept\n", kept.size(),
                file.string());

@@ -1,4 +1,4 @@
-#include "bench/compare/output_folder.h"
+#include "bench/app/output_folder.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,0 +1,71 @@
+#include "bench/study/study.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/app/provenance.h"
+#include "bench/app/python.h"
+#include "bench/study/study_plan.h"
+#include "bench/study/study_run.h"
+#include "bench/study/study_table.h"
+#include "common/core/threads.h"
+
+namespace bench {
+namespace {
+
+/// Tracing for a moment, unmeasured: the first run of a process finds caches, buffers and threads cold.
+void warm_up(const StudyPlan& plan, StudyScene& scene) {
+    StudyPlan scratch = plan;
+    scratch.out = std::filesystem::temp_directory_path() / fmt::format("shlmbench-warm-up-{}", getpid());
+    (void)run_study(scratch, scene, plan.methods, 10'000, 2);
+    std::filesystem::remove_all(scratch.out);
+}
+
+/// False where the user ended it.
+bool study_scene(const StudyPlan& plan, const std::filesystem::path& file, std::uint64_t hits,
+                 StudyTable& table) {
+    if (!table.is_missing_any(file.stem().string(), plan.methods, hits, plan.seeds)) return true;
+    StudyScene scene(file, plan);
+    print_warnings(scene.loaded(), scene.prepared(), true);
+    scene.write_reference(plan.out / "raw" / scene.name());
+    table.describe_scene(scene.name(), scene.facts());
+    warm_up(plan, scene);
+    for (std::uint64_t seed = 1; seed <= plan.seeds; ++seed) {
+        const std::vector<Method> methods = table.missing(scene.name(), plan.methods, hits, seed);
+        if (methods.empty()) continue;
+        const StudyRun run = run_study(plan, scene, methods, hits, seed);
+        if (run.interrupted) return false;
+        table.add(run.rows);
+    }
+    return true;
+}
+
+void run(const StudyOptions& options) {
+    const StudyPlan plan = make_plan(options);
+    common::ThreadPool pool(plan.threads);
+    pool.run([&] {
+        StudyTable table(plan);
+        // Small sizes of all scenes first: what is there early is a whole, if coarse, picture.
+        for (const std::uint64_t hits : plan.hits)
+            for (const std::filesystem::path& file : plan.files)
+                if (!study_scene(plan, file, hits, table))
+                    throw Interrupted(fmt::format("study stopped: {} finished rows are in {}",
+                                                  table.row_count(), table.file().string()));
+        if (!run_python("bench/report/study_report.py", plan.out))
+            fmt::print(stderr, "study: the report could not be written; the table is complete\n");
+        fmt::print("{}: {} rows\n", table.file().string(), table.row_count());
+    });
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& app) {
+    const auto options = std::make_shared<StudyOptions>();
+    CLI::App* command = app.add_subcommand(
+        "study", "Measure error beside time and bytes, over methods, numbers of hits and seeds");
+    options->add_to(*command);
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace bench

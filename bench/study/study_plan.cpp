@@ -1,0 +1,70 @@
+#include "bench/study/study_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/app/memory_need.h"
+#include "bench/app/output_folder.h"
+#include "common/core/input_error.h"
+
+namespace bench {
+namespace {
+
+std::vector<Method> grouped_by_store(std::vector<Method> methods) {
+    for (auto first = methods.begin(); first != methods.end();)
+        first = std::stable_partition(first, methods.end(),
+                                      [store = *first](const Method& m) { return fill_alike(m, store); });
+    return methods;
+}
+
+}  // namespace
+
+void StudyOptions::add_to(CLI::App& command) {
+    command.add_option("SCENE", files, "glTF 2.0 files, .gltf or .glb")->required();
+    command.add_option("--hits", hits, "Numbers of hits, separated by commas")
+        ->delimiter(',')
+        ->capture_default_str();
+    command.add_option("--methods", methods, "Methods, separated by commas")
+        ->delimiter(',')
+        ->capture_default_str();
+    command
+        .add_option("--references", references,
+                    "Folder with SCENE.exr of each scene, made by shlmbench reference; their size is the study's")
+        ->capture_default_str();
+    command.add_option("--out", out, "Folder for study.json, raw answers, charts and report")
+        ->capture_default_str();
+    command.add_option("--max-memory", max_memory,
+                       "Methods that would need more are not started; default: 9/10 of what is free");
+    command.add_option("--seeds", seeds, "Independent runs of each size: seeds 1 to this")
+        ->capture_default_str();
+    command.add_option("--threads", threads, "0: all")->capture_default_str();
+    scene.add_to(command);
+    method_options.add_to(command);
+}
+
+StudyPlan make_plan(const StudyOptions& options) {
+    StudyPlan plan{
+        .files = {options.files.begin(), options.files.end()},
+        .hits = parse_sizes("--hits", options.hits),
+        .methods = grouped_by_store(parse_methods("--methods", options.methods)),
+        .references = options.references,
+        .out = options.out,
+        .max_bytes = options.max_memory.empty() ? default_max_bytes()
+                                                : parse_bytes("--max-memory", options.max_memory),
+        .seeds = options.seeds,
+        .scene = options.scene,
+        .settings = options.method_options.settings(),
+        .threads = RunOptions{.threads = options.threads}.thread_count(),
+    };
+    require_different_names(options.files);
+    if (plan.seeds < 1 || plan.seeds > 1000) throw common::InputError("--seeds: from 1 to 1000");
+    for (const std::filesystem::path& file : plan.files)
+        if (!std::filesystem::is_regular_file(plan.reference_of(file)))
+            throw common::InputError(fmt::format("--references: there is no {}; shlmbench reference {} makes it",
+                                                 plan.reference_of(file).string(), file.string()));
+    prepare_output_folder("--out", plan.out);
+    return plan;
+}
+
+}  // namespace bench

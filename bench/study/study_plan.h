@@ -1,0 +1,55 @@
+// What a study is asked to do, checked.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/app/method_options.h"
+#include "bench/app/run_options.h"
+
+namespace bench {
+
+struct StudyOptions {
+    std::vector<std::string> files;
+    std::vector<std::string> hits = {"1e4", "1e5", "1e6", "1e7"};
+    std::vector<std::string> methods = {
+        "shlm/L2/radiance/knn4",         "shlm/L2/radiance/own",          "shlm/L2/radiance/bilinear",
+        "shlm/L2/radiance/knn8",         "shlm/L0/normalised/knn4",       "shlm/L1/radiance/knn4",
+        "shlm/L4/radiance/knn4",         "shlm/L2/flux/knn4",             "shlm/L2/normalised/knn4",
+        "shlm/L2/radiance/knn4/t4096",   "shlm/L2/radiance/knn4/t16384",  "shlm/L2/radiance/knn4/t65536",  "shlm/L2/radiance/knn4/t1048576",
+        "photonmap/flann/k50/disc",      "photonmap/flann/k50/cone",      "photonmap/flann/k50/epanechnikov",
+        "photonmap/flann/k200/disc",     "photonmap/flann/k0.05n23/disc", "photonmap/flann/k0.05n23/epanechnikov",
+        "photonmap/flann/r0.003/disc",   "photonmap/flann/r0.01/disc",    "photonmap/flann/r0.01/epanechnikov"};
+    std::string references = "results/references";
+    std::string out = "results/study";
+    std::string max_memory;
+    std::size_t seeds = 8;
+    SceneOptions scene;
+    MethodOptions method_options;
+    int threads = 0;
+
+    void add_to(CLI::App& command);
+};
+
+struct StudyPlan {
+    std::vector<std::filesystem::path> files;
+    std::vector<std::uint64_t> hits;  ///< ascending, each once
+    std::vector<Method> methods;      ///< those that one store can serve stand together
+    std::filesystem::path references;
+    std::filesystem::path out;  ///< exists and can be written to
+    std::size_t max_bytes;
+    std::uint64_t seeds;  ///< 1 to this
+    SceneOptions scene;
+    MethodSettings settings;
+    int threads;
+
+    [[nodiscard]] std::filesystem::path reference_of(const std::filesystem::path& file) const {
+        return references / (file.stem().string() + ".exr");
+    }
+};
+
+/// Throws InputError for the first option that makes no sense; makes the output folder.
+[[nodiscard]] StudyPlan make_plan(const StudyOptions& options);
+
+}  // namespace bench

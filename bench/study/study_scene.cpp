@@ -1,0 +1,129 @@
+#include "bench/study/study_scene.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "bench/app/provenance.h"
+#include "common/core/input_error.h"
+#include "common/difference/error_map.h"
+#include "common/difference/error_metrics.h"
+#include "common/difference/flip.h"
+#include "common/reference/reference_image.h"
+#include "common/scene/fingerprint.h"
+#include "common/view/visible_surfaces.h"
+
+namespace bench {
+namespace {
+
+namespace fs = std::filesystem;
+using common::Rgb;
+
+static_assert(std::endian::native == std::endian::little, "raw files are little-endian");
+
+float degrees_between(const common::Vec3& a, const common::Vec3& b) {
+    return std::acos(std::clamp(a.dot(b), -1.0f, 1.0f)) * 180 / std::numbers::pi_v<float>;
+}
+
+/// Whether the reference looks at the same points. Rounding may send a ray past an edge now and then.
+bool same_points(const std::vector<common::VisibleSurface>& seen,
+                 const std::vector<common::reference::ReferencePoint>& reference, float tolerance) {
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        others += seen[i].present != reference[i].present ||
+                  (seen[i].present &&
+                   (seen[i].point.position - reference[i].position).length() > tolerance);
+    return others * 100 <= seen.size();
+}
+
+}  // namespace
+
+void write_binary(const fs::path& file, const void* values, std::size_t bytes) {
+    const fs::path temporary = file.string() + ".part";
+    std::ofstream out(temporary, std::ios::binary);
+    out.write(static_cast<const char*>(values), static_cast<std::streamsize>(bytes));
+    out.close();
+    std::error_code error;
+    if (out) fs::rename(temporary, file, error);
+    if (!out || error) throw common::InputError(fmt::format("{}: cannot be written", file.string()));
+}
+
+StudyScene::StudyScene(const fs::path& file, const StudyPlan& plan)
+    : loaded_(file.string(), plan.scene), source_(loaded_.scene), prepared_(loaded_, plan.settings) {
+    const fs::path reference_file = plan.reference_of(file);
+    const auto reference = common::reference::read_reference(reference_file);
+    width_ = reference.width;
+    height_ = reference.height;
+    const auto seen = common::visible_surfaces(loaded_.rays, loaded_.camera, width_, height_);
+    if (!same_points(seen, reference.pixel, 1e-4f * loaded_.scene.diagonal()))
+        throw common::InputError(fmt::format("{}: looks at other points than {}: another scene or camera",
+                                             reference_file.string(), file.string()));
+    const auto note = reference.notes.find("shlmbench:fingerprint");
+    if (note == reference.notes.end() || note->second != common::fingerprint(loaded_.scene))
+        fmt::print(stderr, "{}: warning: {} was made from another version of the scene\n", name(),
+                   reference_file.string());
+    for (std::uint32_t p = 0; p < seen.size(); ++p) {
+        if (!seen[p].present || !reference.pixel[p].present) continue;
+        points_.push_back(seen[p].point);
+        pixel_.push_back(p);
+        truth_.push_back(reference.pixel[p].irradiance);
+        variance_.push_back(reference.pixel[p].variance);
+    }
+    if (points_.empty())
+        throw common::InputError(fmt::format("{}: shows no surface", reference_file.string()));
+    const double epsilon = common::relative_epsilon(truth_);
+    for (std::size_t i = 0; i < truth_.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            reference_error_ += variance_[i][c] / (double{truth_[i][c]} * truth_[i][c] + epsilon);
+    reference_error_ = std::sqrt(reference_error_ / (3.0 * static_cast<double>(truth_.size())));
+}
+
+std::vector<Rgb> StudyScene::pixels_of(std::span<const Rgb> values) const {
+    std::vector<Rgb> pixels(static_cast<std::size_t>(width_) * height_, Rgb(0, 0, 0));
+    for (std::size_t i = 0; i < values.size(); ++i) pixels[pixel_[i]] = values[i];
+    return pixels;
+}
+
+common::Image StudyScene::image_of(std::span<const Rgb> pixels) const {
+    common::Image image{width_, height_, {"R", "G", "B"}, {}};
+    for (const Rgb& pixel : pixels) image.values.insert(image.values.end(), {pixel.x, pixel.y, pixel.z});
+    return image;
+}
+
+void StudyScene::write_reference(const fs::path& folder) const {
+    std::vector<float> tilt;
+    for (const common::SurfacePoint& point : points_)
+        tilt.push_back(degrees_between(point.shading_normal, point.geometric_normal));
+    fs::create_directories(folder);
+    write_binary(folder / "reference.f32", truth_.data(), truth_.size() * sizeof(Rgb));
+    write_binary(folder / "variance.f32", variance_.data(), variance_.size() * sizeof(Rgb));
+    write_binary(folder / "tilt.f32", tilt.data(), tilt.size() * sizeof(float));
+    write_binary(folder / "pixel.u32", pixel_.data(), pixel_.size() * sizeof(std::uint32_t));
+    const common::Image image = image_of(pixels_of(truth_));
+    common::write_png(folder / "reference.png", image, common::middle_grey_exposure(image));
+}
+
+nlohmann::ordered_json StudyScene::facts() const {
+    return {{"file", loaded_.scene.source},
+            {"fingerprint", common::fingerprint(loaded_.scene)},
+            {"points", points_.size()},
+            {"width", width_},
+            {"height", height_},
+            {"raw", "raw/" + name()},
+            {"reference_error", reference_error_}};
+}
+
+double StudyScene::write_pictures(const fs::path& folder, std::uint64_t hits,
+                                  std::span<const Rgb> answers) const {
+    const std::vector<Rgb> picture = pixels_of(answers), truth = pixels_of(truth_);
+    const std::vector<float> flip = common::flip_map(picture, truth, width_, height_);
+    common::write_png(folder / fmt::format("{}.png", hits), image_of(picture),
+                      common::middle_grey_exposure(image_of(truth)));
+    common::write_flip_map(folder / fmt::format("{}-flip.png", hits), width_, height_, flip);
+    return common::mean(flip);
+}
+
+}  // namespace bench

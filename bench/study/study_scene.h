@@ -1,0 +1,61 @@
+// A scene with the points that a study asks about, and what the answers should be.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+
+#include "bench/app/methods.h"
+#include "bench/study/study_plan.h"
+#include "common/image/image.h"
+#include "common/tracer/photon_source.h"
+
+namespace bench {
+
+/// Its parts point at each other, so it stays where it is.
+class StudyScene {
+  public:
+    /// Throws InputError where the reference is of another camera or scene; a small difference in the scene
+    /// only brings a warning on stderr.
+    StudyScene(const std::filesystem::path& file, const StudyPlan& plan);
+
+    [[nodiscard]] const std::string& name() const { return loaded_.name; }
+    [[nodiscard]] const LoadedScene& loaded() const { return loaded_; }
+    [[nodiscard]] const common::PhotonSource& source() const { return source_; }
+    [[nodiscard]] PreparedMethods& prepared() { return prepared_; }
+
+    /// Surface points behind the reference's pixels, in image order, without pixels that see none.
+    [[nodiscard]] std::span<const common::SurfacePoint> points() const { return points_; }
+
+    /// Writes what the reference says of the points: reference.f32, variance.f32 (points x 3), tilt.f32
+    /// (degrees between shading and geometric normal), pixel.u32 (row by row), little-endian, and
+    /// reference.png.
+    void write_reference(const std::filesystem::path& folder) const;
+
+    /// An entry for the study's table.
+    [[nodiscard]] nlohmann::ordered_json facts() const;
+
+    /// Writes the picture of some answers, HITS.png, and what a viewer sees of their error, HITS-flip.png.
+    /// Returns the mean of the latter.
+    double write_pictures(const std::filesystem::path& folder, std::uint64_t hits,
+                          std::span<const common::Rgb> answers) const;
+
+  private:
+    /// Colours of points where their pixels are; pixels without a point are black.
+    [[nodiscard]] std::vector<common::Rgb> pixels_of(std::span<const common::Rgb> values) const;
+    [[nodiscard]] common::Image image_of(std::span<const common::Rgb> pixels) const;
+
+    LoadedScene loaded_;
+    common::PhotonSource source_;
+    PreparedMethods prepared_;
+    int width_ = 0, height_ = 0;
+    double reference_error_ = 0;  ///< relative, as shlmbench reference has it
+    std::vector<common::SurfacePoint> points_;
+    std::vector<std::uint32_t> pixel_;  ///< of each point
+    std::vector<common::Rgb> truth_, variance_;
+};
+
+/// Writes values as they lie in memory. Throws InputError where that fails.
+void write_binary(const std::filesystem::path& file, const void* values, std::size_t bytes);
+
+}  // namespace bench

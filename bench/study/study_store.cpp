@@ -1,0 +1,66 @@
+#include "bench/study/study_store.h"
+
+namespace bench {
+namespace {
+
+using UseMap = std::function<void(const StudyMap&)>;
+
+template <common::IrradianceEstimator Map>
+StudyMap study_map(const Method& method, const Map& map, double build_seconds) {
+    return {.method = method,
+            .irradiance = [&map](const common::SurfacePoint& point) { return map.irradiance(point); },
+            .build_seconds = build_seconds,
+            .bytes = map.bytes(),
+            .insert_bytes = map.bytes()};
+}
+
+template <class Model>
+void finish_store(shlm::Sink<Model>& sink, const std::vector<Method>& methods, const PreparedMethods&,
+                  const common::TraceReport& trace, const UseMap& use) {
+    for (const Method& method : methods) {
+        const Stopwatch build;
+        const auto map = sink.finish(trace.watts_per_flux(), method.light_map()->gather);
+        StudyMap result = study_map(method, map, build.seconds());
+        result.insert_bytes = sink.accumulator().bytes();
+        result.hits_rejected = sink.rejected().total();
+        result.clamped_share = sink.accumulator().clamped().discarded_share();
+        use(result);
+    }
+}
+
+/// The photons are sorted and indexed once; each method is charged for it.
+template <class Sink>
+void finish_store(Sink& sink, const std::vector<Method>& methods, const PreparedMethods& prepared,
+                  const common::TraceReport& trace, const UseMap& use) {
+    const std::uint64_t rejected = sink.rejected().total();
+    const Stopwatch build;
+    const auto photons = common::finish_map(std::move(sink), trace);
+    const double build_seconds = build.seconds();
+    for (const Method& method : methods) {
+        const auto map =
+            photons.with_gather(gather_of(*method.photon_map(), prepared.settings().max_radius));
+        StudyMap result = study_map(method, map, build_seconds);
+        result.hits_rejected = rejected;
+        use(result);
+    }
+}
+
+}  // namespace
+
+StudyStore::StudyStore(std::vector<Method> methods, PreparedMethods& prepared) {
+    const Method first = methods.front();
+    if (first.light_map()) (void)prepared.texels_of(*first.light_map());  // the scene's, not the run's
+    const Stopwatch making_room;
+    with_sink(first, prepared, [&](auto made) {
+        using Sink = decltype(made);
+        insert_seconds_ = making_room.seconds();
+        const auto sink = std::make_shared<Sink>(std::move(made));
+        consume_ = [sink](std::span<const common::HitBatch> wave) { sink->consume(wave); };
+        finish_ = [sink, methods = std::move(methods), &prepared](const common::TraceReport& trace,
+                                                                  const UseMap& use) {
+            finish_store(*sink, methods, prepared, trace, use);
+        };
+    });
+}
+
+}  // namespace bench

@@ -1,0 +1,69 @@
+#include "bench/study/study_table.h"
+
+#include <fmt/format.h>
+
+#include "bench/app/earlier_rows.h"
+#include "bench/app/output_folder.h"
+#include "bench/app/provenance.h"
+#include "common/core/input_error.h"
+
+namespace bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json context_of(const StudyPlan& plan) {
+    Json context = provenance();
+    context["threads"] = plan.threads;
+    context["settings"] = describe(plan.settings);
+    context["lights_and_camera"] = fmt::format("{} {} {}", plan.scene.sky, plan.scene.sun, plan.scene.camera);
+    return context;
+}
+
+}  // namespace
+
+StudyTable::StudyTable(const StudyPlan& plan) : file_(plan.out / "study.json") {
+    document_ = {{"context", context_of(plan)}, {"scenes", Json::object()}, {"rows", Json::array()}};
+    const EarlierRows earlier = read_earlier_rows(file_, document_["context"]);
+    if (!earlier.found) return;
+    if (!earlier.same_context)
+        throw common::InputError(fmt::format(
+            "{} is of another build, machine or setting; remove it or give another --out", file_.string()));
+    if (earlier.document.contains("scenes")) document_["scenes"] = earlier.document["scenes"];
+    for (const Json& row : earlier.document["rows"])
+        if (!row.contains("skipped")) document_["rows"].push_back(row);
+    for (const Json& row : document_["rows"])
+        present_.emplace(row["scene"], row["method"], row["hits_asked"], row["seed"]);
+    fmt::print(stderr, "study: {} rows in {} are of this build and settings and are kept\n", row_count(),
+               file_.string());
+}
+
+std::vector<Method> StudyTable::missing(const std::string& scene, const std::vector<Method>& methods,
+                                        std::uint64_t hits, std::uint64_t seed) const {
+    std::vector<Method> missing;
+    for (const Method& method : methods)
+        if (!present_.contains({scene, method.name, hits, seed})) missing.push_back(method);
+    return missing;
+}
+
+bool StudyTable::is_missing_any(const std::string& scene, const std::vector<Method>& methods,
+                                std::uint64_t hits, std::uint64_t seeds) const {
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed)
+        if (!missing(scene, methods, hits, seed).empty()) return true;
+    return false;
+}
+
+void StudyTable::describe_scene(const std::string& name, const Json& facts) {
+    document_["scenes"][name] = facts;
+}
+
+void StudyTable::add(const std::vector<Json>& rows) {
+    for (const Json& row : rows) {
+        document_["rows"].push_back(row);
+        if (!row.contains("skipped"))
+            present_.emplace(row["scene"], row["method"], row["hits_asked"], row["seed"]);
+    }
+    write_text(file_, document_.dump(1) + "\n");
+}
+
+}  // namespace bench

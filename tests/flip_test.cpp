@@ -6,9 +6,11 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <numbers>
+#include <numeric>
 
 #include "common/core/input_error.h"
+#include "common/core/threads.h"
+#include "common/difference/error_map.h"
 #include "common/difference/flip_colors.h"
 #include "common/difference/flip_exposures.h"
 #include "common/difference/flip_filters.h"
@@ -74,7 +76,7 @@ struct Recorded {
 void expect_recorded(const Recorded& recorded, const std::vector<float>& map) {
     SCOPED_TRACE(recorded.name);
     constexpr double tolerance = 1e-4;
-    EXPECT_NEAR(common::mean(map), recorded.mean, tolerance);
+    EXPECT_NEAR(common::flip_mean(map), recorded.mean, tolerance);
     EXPECT_NEAR(map[place(0, 0)], recorded.values[0], tolerance);
     EXPECT_NEAR(map[place(25, 16)], recorded.values[1], tolerance);
     EXPECT_NEAR(map[place(20, 10)], recorded.values[2], tolerance);
@@ -127,9 +129,7 @@ TEST(Flip, IsThePublishedEvaluators) {
          0.2437085,
          {0.149710, 0.246974, 0.253764, 0.167941}},
         {"firefly",
-         picture([](int x, int y, int c) {
-             return bright_spots(x, y, c) + (x == 20 && y == 10 ? 1000 : 0);
-         }),
+         picture([](int x, int y, int c) { return bright_spots(x, y, c) + (x == 20 && y == 10 ? 1000 : 0); }),
          picture(bright_spots),
          0.0081925,
          {0, 0.001259, 0.773321, 0}},
@@ -146,6 +146,254 @@ TEST(Flip, IsThePublishedEvaluators) {
     }};
     for (const Recorded& recorded : all)
         expect_recorded(recorded, common::flip_map(recorded.image, recorded.reference, width, height));
+}
+
+// What follows from the definition.
+
+float largest(const std::vector<float>& map) {
+    return *std::max_element(map.begin(), map.end());
+}
+
+float largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
+    float most = 0;
+    for (std::size_t p = 0; p < a.size(); ++p) most = std::max(most, std::abs(a[p] - b[p]));
+    return most;
+}
+
+/// Rounding of the sums of some twenty floats, and the steep root of FLIP near no difference.
+constexpr float rounding = 1e-4f;
+
+Pixels mirrored(const Pixels& pixels) {
+    return picture([&](int x, int y, int c) { return pixels[place(width - 1 - x, y)][c]; });
+}
+
+TEST(Flip, IsNothingForTheSameImage) {
+    const Pixels pixels = picture(bright_spots);
+    EXPECT_EQ(largest(common::flip_map(pixels, pixels, width, height)), 0);
+    const Pixels shown = picture(spots);
+    EXPECT_EQ(largest(common::displayed_flip_map(shown, shown, width, height)), 0);
+}
+
+TEST(Flip, StaysBetweenNothingAndOne) {
+    const Pixels dark = uniform({0, 0, 0}), reference = picture(bright_spots);
+    const Pixels blinding = uniform({3e38f, 3e38f, 3e38f});
+    const Pixels negative = uniform({-1, -5, -3e38f});
+    for (const Pixels& image : {dark, blinding, negative}) {
+        const auto map = common::flip_map(image, reference, width, height);
+        for (const float value : map) {
+            ASSERT_GE(value, 0);
+            ASSERT_LE(value, 1);
+        }
+        EXPECT_GT(common::flip_mean(map), 0.5);
+    }
+    EXPECT_EQ(common::flip_map(negative, reference, width, height),
+              common::flip_map(dark, reference, width, height));
+}
+
+TEST(Flip, OfDisplayedImagesMayBeExchanged) {
+    const Pixels a = picture(spots), b = picture([](int x, int y, int c) { return spots(y, x, 2 - c); });
+    EXPECT_EQ(common::displayed_flip_map(a, b, width, height),
+              common::displayed_flip_map(b, a, width, height));
+}
+
+TEST(Flip, IsMirroredWithItsImages) {
+    const Pixels reference = picture(bright_spots);
+    const Pixels image =
+        picture([](int x, int y, int c) { return bright_spots(x, y, c) * (0.5 + noise(x, y, c)); });
+    const auto map = common::flip_map(image, reference, width, height);
+    auto mirrored_map = common::flip_map(mirrored(image), mirrored(reference), width, height);
+    for (int y = 0; y < height; ++y)
+        std::reverse(mirrored_map.begin() + y * width, mirrored_map.begin() + (y + 1) * width);
+    EXPECT_LT(largest_difference(map, mirrored_map), rounding);
+}
+
+TEST(Flip, DoesNotDependOnTheUnit) {
+    const auto map_in = [](double unit) {
+        return common::flip_map(picture([=](int x, int y, int c) {
+                                    return unit * bright_spots(x, y, c) * (0.5 + noise(x, y, c));
+                                }),
+                                picture([=](int x, int y, int c) { return unit * bright_spots(x, y, c); }),
+                                width, height);
+    };
+    EXPECT_LT(largest_difference(map_in(1), map_in(1000)), rounding);
+    EXPECT_LT(largest_difference(map_in(1), map_in(0.001)), rounding);
+}
+
+TEST(Flip, SeesAFireflyWhereItIs) {
+    const Pixels reference = picture(bright_spots);
+    Pixels image = reference;
+    image[place(30, 12)] = {100, 100, 100};
+    const auto map = common::flip_map(image, reference, width, height);
+    EXPECT_EQ(std::max_element(map.begin(), map.end()) - map.begin(), place(30, 12));
+    EXPECT_GT(map[place(30, 12)], 0.25f);
+    EXPECT_LT(map[place(2, 12)], rounding);
+}
+
+TEST(Flip, IsTheSameForAnyNumberOfThreads) {
+    const Pixels reference = picture(bright_spots);
+    const Pixels image =
+        picture([](int x, int y, int c) { return bright_spots(x, y, c) * (0.5 + noise(x, y, c)); });
+    const auto with_threads = [&](int threads) {
+        common::ThreadPool pool(threads);
+        return pool.run([&] { return common::flip_map(image, reference, width, height); });
+    };
+    EXPECT_EQ(with_threads(1), with_threads(3));
+}
+
+TEST(Flip, RefusesWhatItCannotCompare) {
+    const Pixels good = uniform({1, 1, 1});
+    const Pixels shorter(good.begin(), good.end() - 1);
+    EXPECT_THROW((void)common::flip_map(shorter, good, width, height), common::InputError);
+    EXPECT_THROW((void)common::flip_map(good, shorter, width, height), common::InputError);
+    EXPECT_THROW((void)common::flip_map(good, good, width, height - 1), common::InputError);
+    EXPECT_THROW((void)common::flip_map({}, {}, 0, 0), common::InputError);
+    EXPECT_THROW((void)common::flip_map(good, uniform({0, 0, 0}), width, height), common::InputError);
+    EXPECT_THROW((void)common::displayed_flip_map(shorter, good, width, height), common::InputError);
+    for (const float value :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        Pixels bad = good;
+        bad[place(47, 31)].z = value;
+        EXPECT_THROW((void)common::flip_map(bad, good, width, height), common::InputError);
+        EXPECT_THROW((void)common::flip_map(good, bad, width, height), common::InputError);
+        EXPECT_THROW((void)common::displayed_flip_map(bad, good, width, height), common::InputError);
+    }
+}
+
+// Its parts.
+
+TEST(FlipColors, OfWhiteAndGreyHaveNoColor) {
+    for (const float level : {0.0f, 0.001f, 0.18f, 1.0f}) {
+        const common::HuntLab lab = common::hunt_lab({level, level, level});
+        EXPECT_NEAR(lab.a, 0, 1e-4);
+        EXPECT_NEAR(lab.b, 0, 1e-4);
+        const common::OpponentColor opponent = common::opponent_color({level, level, level});
+        EXPECT_NEAR(opponent.y, 116 * level - 16, 1e-4);
+        EXPECT_NEAR(opponent.cx, 0, 1e-4);
+        EXPECT_NEAR(opponent.cz, 0, 1e-4);
+    }
+    EXPECT_NEAR(common::hunt_lab({1, 1, 1}).lightness, 100, 1e-4);
+    EXPECT_NEAR(common::hunt_lab({0, 0, 0}).lightness, 0, 1e-4);
+    EXPECT_NEAR(common::hunt_lab({0.18418651f, 0.18418651f, 0.18418651f}).lightness, 50,
+                1e-4);  // (66 / 116)^3
+}
+
+TEST(FlipColors, OfThePrimariesAreTheWellKnownOnes) {
+    struct Primary {
+        Rgb color;
+        double lightness, a, b;
+    };
+    for (const Primary& known :
+         {Primary{{1, 0, 0}, 53.24, 80.09, 67.20}, Primary{{0, 1, 0}, 87.73, -86.18, 83.18},
+          Primary{{0, 0, 1}, 32.30, 79.19, -107.86}}) {
+        const common::HuntLab lab = common::hunt_lab(known.color);
+        EXPECT_NEAR(lab.lightness, known.lightness, 0.02);
+        EXPECT_NEAR(lab.a, known.a * known.lightness / 100, 0.02);
+        EXPECT_NEAR(lab.b, known.b * known.lightness / 100, 0.02);
+    }
+}
+
+TEST(FlipColors, CanBeShownAgain) {
+    for (const Rgb& color : {Rgb(0, 0, 0), Rgb(1, 1, 1), Rgb(0.2f, 0.9f, 0.1f), Rgb(0.7f, 0, 1)}) {
+        const Rgb again = common::displayed_color(common::opponent_color(color));
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(again[c], color[c], 1e-5);
+    }
+    const Rgb beyond = common::displayed_color(common::opponent_color({2, -1, 0.5f}));
+    EXPECT_EQ(beyond.x, 1);
+    EXPECT_EQ(beyond.y, 0);
+}
+
+TEST(FlipColors, AddLightnessToTheDistanceOfColors) {
+    EXPECT_FLOAT_EQ(common::hyab_distance({10, 1, 2}, {15, 4, -2}), 10);
+    EXPECT_FLOAT_EQ(common::hyab_distance({15, 4, -2}, {10, 1, 2}), 10);
+}
+
+double sum_of(const common::Kernel& kernel) {
+    return std::accumulate(kernel.weights.begin(), kernel.weights.end(), 0.0);
+}
+
+TEST(FlipFilters, KeepWhatIsUniformAndFindOnlyWhatIsNot) {
+    const auto contrast = common::contrast_filters(common::flip_pixels_per_degree);
+    for (const auto* part : {&contrast.y, &contrast.cx, &contrast.cz_narrow, &contrast.cz_wide}) {
+        EXPECT_NEAR(sum_of(part->kernel), 1, 1e-6);
+        EXPECT_EQ(part->kernel.radius(), 10);
+    }
+    EXPECT_EQ(contrast.y.weight, 1);
+    EXPECT_EQ(contrast.cx.weight, 1);
+    EXPECT_NEAR(contrast.cz_narrow.weight + contrast.cz_wide.weight, 1, 1e-6);
+    const auto feature = common::feature_filters(common::flip_pixels_per_degree);
+    EXPECT_NEAR(sum_of(feature.gaussian), 1, 1e-6);
+    for (const auto* part : {&feature.edge, &feature.point}) {
+        EXPECT_NEAR(sum_of(*part), 0, 1e-6);
+        double size = 0;
+        for (const float weight : part->weights) size += std::abs(weight);
+        EXPECT_NEAR(size, 2, 1e-6);
+        EXPECT_EQ(part->radius(), 9);
+    }
+}
+
+TEST(FlipFilters, AreAppliedAlongRowsAndColumns) {
+    const common::Kernel horizontal = {{1, 2, 3}}, vertical = {{10, 20, 40, 50, 70}};
+    common::Plane dot(7, 6);
+    dot.row(3)[4] = 1;
+    const common::Plane spread = common::filtered(dot, horizontal, vertical);
+    for (int y = 0; y < 6; ++y)
+        for (int x = 0; x < 7; ++x) {
+            const int i = 4 - x + 1, j = 3 - y + 2;
+            const bool within = i >= 0 && i < 3 && j >= 0 && j < 5;
+            EXPECT_EQ(spread.row(y)[x], within ? horizontal.weights[i] * vertical.weights[j] : 0)
+                << x << ", " << y;
+        }
+    common::Plane narrow(1, 2);  // smaller than the filter: its own pixels stand for what is beyond
+    narrow.values = {1, 3};
+    EXPECT_EQ(common::filtered(narrow, horizontal, vertical).values,
+              (std::vector<float>{6 * 70 + 18 * 120, 6 * 30 + 18 * 160}));
+}
+
+TEST(FlipExposures, ShowBrightestAndMedianJustBelowWhite) {
+    const Pixels reference = {{1, 1, 1}, {64, 64, 64}, {2, 2, 2}, {0.5f, 0.5f, 0.5f}, {4, 4, 4}};
+    const common::Exposures exposures = common::exposures_for(reference);
+    EXPECT_NEAR(common::displayed(reference, exposures.start)[1].x, 0.85, 1e-5);
+    EXPECT_NEAR(common::displayed(reference, exposures.stop)[2].y, 0.85, 1e-5);
+    EXPECT_NEAR(exposures.stop - exposures.start, 5, 1e-9);
+    EXPECT_EQ(exposures.count, 5);
+    EXPECT_EQ(exposures.at(0), exposures.start);
+    EXPECT_NEAR(exposures.at(4), exposures.stop, 1e-9);
+}
+
+TEST(FlipExposures, AreThePublishedEvaluatorsAlsoInOddCases) {
+    const common::Exposures uniform = common::exposures_for(Pixels(4, Rgb(1, 1, 1)));
+    EXPECT_NEAR(uniform.start, 1.0832973, 1e-5);
+    EXPECT_NEAR(uniform.stop, 1.0832973, 1e-5);
+    EXPECT_EQ(uniform.count, 2);
+    const common::Exposures even =
+        common::exposures_for(Pixels{{1, 1, 1}, {10, 10, 10}, {2, 2, 2}, {3, 3, 3}});  // 3 is its median
+    EXPECT_NEAR(even.start, -2.2386308, 1e-5);
+    EXPECT_NEAR(even.stop, -0.5016654, 1e-5);
+    const common::Exposures black = common::exposures_for(Pixels{{0, 0, 0}, {0, 0, 0}, {5, 5, 5}});
+    EXPECT_NEAR(black.stop, 24.0832973, 1e-5);
+    EXPECT_EQ(black.count, 26);
+}
+
+TEST(FlipExposures, RefuseAReferenceThatNoneShows) {
+    for (const float value : {0.0f, -1.0f, 1e-40f})
+        EXPECT_THROW((void)common::exposures_for(Pixels(4, Rgb(value, value, value))), common::InputError);
+    const common::Exposures dim = common::exposures_for(Pixels(4, Rgb(1e-20f, 1e-20f, 1e-20f)));
+    EXPECT_EQ(dim.start, dim.stop);
+    EXPECT_NEAR(common::displayed(Pixels{{1e-20f, 0, 0}}, dim.start)[0].x, 0.85, 1e-5);
+}
+
+TEST(ErrorMap, GrowsBrighterAllTheWay) {
+    EXPECT_EQ(common::magma(0), (common::DisplayColor{0, 0, 4}));
+    EXPECT_EQ(common::magma(1), (common::DisplayColor{252, 253, 191}));
+    EXPECT_EQ(common::magma(0.5f), (common::DisplayColor{183, 55, 121}));
+    EXPECT_EQ(common::magma(-1), common::magma(0));
+    EXPECT_EQ(common::magma(2), common::magma(1));
+    const auto brightness = [](const common::DisplayColor& color) {
+        return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+    };
+    for (int i = 0; i < 100; ++i)
+        EXPECT_LT(brightness(common::magma(static_cast<float>(i) / 100)),
+                  brightness(common::magma(static_cast<float>(i + 1) / 100)));
 }
 
 }  // namespace

@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "common/core/input_error.h"
 #include "common/difference/error_map.h"
@@ -23,9 +28,10 @@ struct DiffOptions {
     bool json = false;
 };
 
-struct Flip {
-    std::vector<float> map;  ///< every pixel
-    double mean = 0;         ///< over the compared pixels
+struct Measured {
+    common::DifferenceFigures figures;
+    std::vector<float> flip_map;  ///< every pixel
+    double flip = 0;              ///< mean over the compared pixels
 };
 
 void check(const DiffOptions& options) {
@@ -51,11 +57,13 @@ std::vector<common::Rgb> image_in_reference(const common::ComparableImages& both
     return pixels;
 }
 
-Flip flip(const common::ComparableImages& both) {
+Measured measure(const common::ComparableImages& both) {
+    const common::DifferenceFigures figures =
+        common::difference(selected(both.image, both.compared), selected(both.reference, both.compared));
     std::vector<float> map =
         common::flip_map(image_in_reference(both), both.reference, both.width, both.height);
-    const double mean = common::mean(selected(map, both.compared));
-    return {std::move(map), mean};
+    const double flip = common::flip_mean(selected(map, both.compared));
+    return {figures, std::move(map), flip};
 }
 
 Json worst_value(const common::WorstValue& worst, const common::ComparableImages& both) {
@@ -68,8 +76,8 @@ Json worst_value(const common::WorstValue& worst, const common::ComparableImages
             {"reference", worst.reference}};
 }
 
-Json all_figures(const DiffOptions& options, const common::ComparableImages& both,
-                 const common::DifferenceFigures& figures, const Flip& flip) {
+Json facts(const DiffOptions& options, const common::ComparableImages& both, const Measured& measured) {
+    const common::DifferenceFigures& figures = measured.figures;
     const common::Exposures exposures = common::exposures_for(both.reference);
     const std::size_t pixels = both.reference.size(), compared = both.compared.size();
     return {{"image", options.image},
@@ -93,34 +101,52 @@ Json all_figures(const DiffOptions& options, const common::ComparableImages& bot
             {"relative_error_p99", figures.relative_error_p99},
             {"relative_error_max", figures.relative_error_max},
             {"worst", worst_value(figures.worst, both)},
-            {"flip", flip.mean},
+            {"flip", measured.flip},
             {"flip_pixels_per_degree", common::flip_pixels_per_degree},
             {"flip_exposures",
              {{"start", exposures.start}, {"stop", exposures.stop}, {"count", exposures.count}}}};
 }
 
-void print(const Json& figures, bool json) {
+/// For people: six digits, and no braces.
+std::string text_of(const Json& value) {
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+    if (!value.is_object()) return value.dump();
+    std::string text;
+    for (const auto& [key, part] : value.items())
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, text_of(part));
+    return text;
+}
+
+void print(const Json& facts, bool json) {
     if (json) {
-        fmt::print("{}\n", figures.dump(2));
+        fmt::print("{}\n", facts.dump(2, ' ', false, Json::error_handler_t::replace));  // odd file names
         return;
     }
-    for (const auto& [key, value] : figures.items())
-        fmt::print("{:<22} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+    for (const auto& [key, value] : facts.items())
+        if (!value.is_null()) fmt::print("{:<22} {}\n", key, text_of(value));
+}
+
+/// What makes a reference no measure is said with its file's name.
+Measured measure(const DiffOptions& options, const common::ComparableImages& both) {
+    try {
+        return measure(both);
+    } catch (const common::InputError& e) {
+        throw common::InputError(fmt::format("{}: {}", options.reference, e.what()));
+    }
 }
 
 void run(const DiffOptions& options) {
     check(options);
     const common::ComparableImages both = common::load_comparable(options.image, options.reference);
-    const common::DifferenceFigures figures =
-        common::difference(selected(both.image, both.compared), selected(both.reference, both.compared));
-    const Flip seen = flip(both);
+    const Measured measured = measure(options, both);
     if (!options.flip_map.empty())
-        common::write_flip_map(options.flip_map, both.width, both.height, seen.map);
-    print(all_figures(options, both, figures, seen), options.json);
-    // So put that a relMSE that is no number is no success.
-    if (options.most_relmse && !(figures.relmse <= *options.most_relmse))
-        throw BoundExceeded(fmt::format("{}: relMSE {:g} is more than {:g}", options.image, figures.relmse,
-                                        *options.most_relmse));
+        common::write_flip_map(options.flip_map, both.width, both.height, measured.flip_map);
+    print(facts(options, both, measured), options.json);
+    const double relmse = measured.figures.relmse;
+    if (options.most_relmse && !(relmse <= *options.most_relmse))  // so put, no number passes that is none
+        throw BoundExceeded(
+            fmt::format("{}: relMSE {:g} is more than {:g}", options.image, relmse, *options.most_relmse));
 }
 
 }  // namespace

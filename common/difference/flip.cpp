@@ -54,6 +54,7 @@ void check_images(std::span<const Rgb> image, std::span<const Rgb> reference, in
 
 std::vector<float> displayed_flip_map(std::span<const Rgb> image, std::span<const Rgb> reference, int width,
                                       int height) {
+    check_images(image, reference, width, height);
     const FlipFilters filters = flip_filters();
     const auto seen = perceived(image, width, height, filters);
     const auto expected = perceived(reference, width, height, filters);
@@ -81,7 +82,7 @@ std::vector<float> flip_map(std::span<const Rgb> image, std::span<const Rgb> ref
     return map;
 }
 
-double mean(std::span<const float> map) {
+double flip_mean(std::span<const float> map) {
     return std::accumulate(map.begin(), map.end(), 0.0) / static_cast<double>(map.size());
 }
 

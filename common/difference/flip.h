@@ -21,12 +21,11 @@ inline constexpr float flip_pixels_per_degree = 67.02064f;
 /// Range Images", 2021): the largest LDR-FLIP over the exposures that show the reference from its brightest
 /// pixel to its median (flip_exposures.h). Linear RGB in any unit, finite; negative values count as 0.
 ///
-/// Throws InputError unless both images have width * height pixels, all finite, and the reference is not
-/// black.
+/// Throws InputError unless both have width * height pixels, all finite, and the reference is not black.
 [[nodiscard]] std::vector<float> flip_map(std::span<const Rgb> image, std::span<const Rgb> reference,
                                           int width, int height);
 
-/// Mean over all pixels: the FLIP value of an image.
-[[nodiscard]] double mean(std::span<const float> map);
+/// Mean over pixels: the FLIP value of an image.
+[[nodiscard]] double flip_mean(std::span<const float> map);
 
 }  // namespace common

@@ -2,6 +2,8 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include <limits>
+
 #include "common/core/input_error.h"
 
 namespace common {
@@ -25,9 +27,10 @@ float tone_mapped(float x) {
     return std::min(1.0f, numerator / ((c * x + d) * x + e));
 }
 
-float luminance(const Rgb& color) {
-    return 0.2126f * std::max(color.x, 0.0f) + 0.7152f * std::max(color.y, 0.0f) +
-           0.0722f * std::max(color.z, 0.0f);
+/// Rec. 709.
+double luminance(const Rgb& color) {
+    return 0.2126 * std::max(color.x, 0.0f) + 0.7152 * std::max(color.y, 0.0f) +
+           0.0722 * std::max(color.z, 0.0f);
 }
 
 }  // namespace
@@ -35,13 +38,14 @@ float luminance(const Rgb& color) {
 Exposures exposures_for(std::span<const Rgb> reference) {
     constexpr double least_median = 0x1p-23;
     constexpr double bright = 0.85;
-    std::vector<float> luminances(reference.size());
+    std::vector<double> luminances(reference.size());
     std::transform(reference.begin(), reference.end(), luminances.begin(), luminance);
     const auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
     std::nth_element(luminances.begin(), middle, luminances.end());
-    const double median = std::max<double>(*middle, least_median);
+    const double median = std::max(*middle, least_median);
     const double most = *std::max_element(middle, luminances.end());
-    if (!(most > 0)) throw InputError("the reference is black: no exposure shows it");
+    if (!(most >= std::numeric_limits<float>::min()))  // an exposure that shows less is infinite
+        throw InputError("the reference is black: no exposure shows it");
     const double start = std::log2(shown_as(bright) / most);
     const double stop = std::max(start, std::log2(shown_as(bright) / median));
     return {start, stop, std::max(2, static_cast<int>(std::ceil(stop - start)))};

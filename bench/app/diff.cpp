@@ -57,7 +57,7 @@ std::vector<common::Rgb> image_in_reference(const common::ComparableImages& both
     return pixels;
 }
 
-Measured measure(const common::ComparableImages& both) {
+Measured measure_images(const common::ComparableImages& both) {
     const common::DifferenceFigures figures =
         common::difference(selected(both.image, both.compared), selected(both.reference, both.compared));
     std::vector<float> map =
@@ -130,7 +130,7 @@ void print(const Json& facts, bool json) {
 /// What makes a reference no measure is said with its file's name.
 Measured measure(const DiffOptions& options, const common::ComparableImages& both) {
     try {
-        return measure(both);
+        return measure_images(both);
     } catch (const common::InputError& e) {
         throw common::InputError(fmt::format("{}: {}", options.reference, e.what()));
     }

@@ -14,7 +14,8 @@
 namespace common {
 namespace {
 
-constexpr float color_exponent = 0.7f;  // Andersson et al. 2020, section 4.1.3, and eq. 7 for what follows
+// Andersson et al. 2020, sections 4.1 and 4.2.
+constexpr float color_exponent = 0.7f;
 constexpr float feature_exponent = 0.5f;
 
 FlipFilters flip_filters() {
@@ -34,7 +35,7 @@ float color_difference(const HuntLab& p, const HuntLab& q, float largest) {
 }
 
 /// 0 to 1: an edge or a point that only one of the two has.
-float feature_difference(const PerceivedPixel& p, const PerceivedPixel& q) {
+float feature_difference(const Features& p, const Features& q) {
     const float larger = std::max(std::abs(p.edge - q.edge), std::abs(p.point - q.point));
     return std::pow(larger / std::numbers::sqrt2_v<float>, feature_exponent);
 }
@@ -59,10 +60,10 @@ std::vector<float> displayed_flip_map(std::span<const Rgb> image, std::span<cons
     const auto seen = perceived(image, width, height, filters);
     const auto expected = perceived(reference, width, height, filters);
     const float largest = largest_color_difference();
-    std::vector<float> map(seen.size());
-    tbb::parallel_for(std::size_t{0}, seen.size(), [&](std::size_t p) {
-        map[p] = std::pow(color_difference(seen[p].color, expected[p].color, largest),
-                          1 - feature_difference(seen[p], expected[p]));
+    std::vector<float> map(image.size());
+    tbb::parallel_for(std::size_t{0}, image.size(), [&](std::size_t p) {
+        map[p] = std::pow(color_difference(seen.color[p], expected.color[p], largest),
+                          1 - feature_difference(seen.features[p], expected.features[p]));
     });
     return map;
 }

@@ -27,8 +27,8 @@ struct HuntLab {
 
 [[nodiscard]] HuntLab hunt_lab(const Rgb& linear);
 
-/// Distance for large differences (Abasi et al., "Distancing Fields in Color Space: HyAB", 2019): that of
-/// lightness along, that of the colours across.
+/// HyAB, for large differences (Abasi, Amani Tehran and Fairchild, "Distance Metrics for Very Large Color
+/// Differences", 2020): the distance of the lightnesses plus that of the colours in the plane of a and b.
 [[nodiscard]] float hyab_distance(const HuntLab& p, const HuntLab& q);
 
 }  // namespace common

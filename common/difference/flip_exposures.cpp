@@ -14,7 +14,7 @@ constexpr float light = 0.6f;
 constexpr float a = 2.51f * light * light, b = 0.03f * light;
 constexpr float c = 2.43f * light * light, d = 0.59f * light, e = 0.14f;
 
-/// The x that is shown as `value`: the larger root of (a - c value) x^2 + (b - d value) x - e value.
+/// The x that is shown as `value`: the root above 0 of (a - c value) x^2 + (b - d value) x - e value.
 double shown_as(double value) {
     const double half_linear = 0.5 * (b - d * value), squared = a - c * value;
     return (std::sqrt(half_linear * half_linear + squared * e * value) - half_linear) / squared;

@@ -18,8 +18,8 @@ struct Exposures {
     [[nodiscard]] double at(int i) const { return start + i * (stop - start) / (count - 1); }
 };
 
-/// From the luminance (Rec. 709) of the reference's pixels, where negative values count as 0. A median below
-/// 2^-23 counts as 2^-23, as in the published evaluator. Throws InputError where all are black.
+/// From the luminance (Rec. 709) of the reference's pixels, at least one, where negative values count as 0. A
+/// median below 2^-23 counts as 2^-23, as in the published evaluator. Throws InputError where all are black.
 [[nodiscard]] Exposures exposures_for(std::span<const Rgb> reference);
 
 /// The image at an exposure, tone-mapped as film is: linear RGB, 0 to 1. The curve is Narkowicz's fit to the

@@ -10,12 +10,12 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// sqrt(pi / b) amplitude exp(-pi^2 x^2 / b) at x degrees from the middle (Andersson et al. 2020, eq. 4).
+/// sqrt(pi / b) amplitude exp(-pi^2 x^2 / b) at x degrees from the middle.
 struct Gaussian {
     double amplitude, b;
 };
 
-// Andersson et al. 2020, table 1.
+// Andersson et al. 2020, section 4.1: what fits the measured contrast sensitivity of the eye.
 constexpr Gaussian black_white = {1, 0.0047};
 constexpr Gaussian red_green = {1, 0.0053};
 constexpr Gaussian blue_yellow_wide = {34.1, 0.04};

@@ -9,11 +9,15 @@
 
 namespace common {
 
-/// Of one pixel: the colour there as a blurring eye sees it, and how much of an edge and of a point is there,
-/// 0 to about 1.
-struct PerceivedPixel {
-    HuntLab color;
+/// How much of an edge and of a point is at a pixel, 0 to about 1.
+struct Features {
     float edge = 0, point = 0;
+};
+
+/// One value per pixel, row by row.
+struct PerceivedImage {
+    std::vector<HuntLab> color;  ///< as a blurring eye sees it
+    std::vector<Features> features;
 };
 
 struct FlipFilters {
@@ -22,7 +26,7 @@ struct FlipFilters {
 };
 
 /// `displayed`: linear RGB, 0 to 1, `width` times `height` pixels row by row.
-[[nodiscard]] std::vector<PerceivedPixel> perceived(std::span<const Rgb> displayed, int width, int height,
-                                                    const FlipFilters& filters);
+[[nodiscard]] PerceivedImage perceived(std::span<const Rgb> displayed, int width, int height,
+                                       const FlipFilters& filters);
 
 }  // namespace common

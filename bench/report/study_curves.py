@@ -1,0 +1,69 @@
+"""Every method's measured sizes with their errors: what charts, tables and fits are made of."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from study_data import Run
+from study_errors import ErrorSplit, mean_products, split
+from study_methods import Method, parse
+from study_tilt import split_by_tilt
+
+
+@dataclass(frozen=True)
+class Point:
+    run: Run
+    split: ErrorSplit
+    tilted: tuple  # of TiltSplit, empty where the scene has no normal maps
+
+    @property
+    def hits(self):
+        return self.run.median("hits")
+
+    @property
+    def seconds(self):
+        """Total time until every point is answered: trace, insert, build, gather. Median over the seeds."""
+        return float(np.median(self.run.total_seconds()))
+
+    @property
+    def bytes(self):
+        """Of the finished map."""
+        return self.run.median("bytes")
+
+
+@dataclass(frozen=True)
+class Curve:
+    """One method in one scene, in ascending order of size."""
+
+    method: Method
+    points: tuple
+
+    def array(self, name):
+        return np.array([getattr(p, name) for p in self.points])
+
+    @property
+    def errors(self):
+        return np.array([p.split.error for p in self.points])
+
+    @property
+    def texels(self):
+        return self.points[0].run.rows[0].get("texels", 0)
+
+
+def measure(study, scene, run, answers):
+    products = mean_products(answers, scene.reference, scene.weight)
+    return Point(
+        run, split(products, scene.reference_error_sq, run.seeds), split_by_tilt(scene, answers, run.seeds)
+    )
+
+
+def curves_of(study):
+    """scene -> name of the method -> Curve, in the order of the study."""
+    found = {}
+    for name, scene in study.scenes.items():
+        points = {}
+        for run, answers in study.runs(name):
+            points.setdefault(run.method, []).append(measure(study, scene, run, answers))
+        if points:
+            found[name] = {m: Curve(parse(m), tuple(points[m])) for m in study.methods if m in points}
+    return found

@@ -1,0 +1,71 @@
+"""What the name of a method in a study says, and what theory says of it.
+
+Theory, for N hits. A light map's texel and a disc of fixed radius average a number of hits that grows as N
+over an area that stays: variance ~ 1/N, bias fixed (the floor). The k nearest photons with fixed k: variance
+fixed, bias falls with the disc. k = C N^(2/3): variance ~ 1/k, area ~ k/N, squared bias ~ area^2 in smooth
+light, both ~ N^(-2/3).
+"""
+
+import re
+from dataclasses import dataclass
+
+LIGHT_MAP = "shlm"
+FIXED_K = "k"
+GROWING_K = "kCn23"
+FIXED_RADIUS = "r"
+OTHER = "other"
+
+SLOPE_OF_THEORY = {LIGHT_MAP: -1.0, FIXED_RADIUS: -1.0, GROWING_K: -2.0 / 3.0, FIXED_K: 0.0}
+THEORY_TEXT = {
+    LIGHT_MAP: "-1 until the floor",
+    FIXED_RADIUS: "-1 until the floor",
+    GROWING_K: "-2/3",
+    FIXED_K: "0",
+}
+
+REFERENCE_LIGHT_MAP = "shlm/L2/radiance/knn4"
+TRADITIONAL_LIGHT_MAP = "shlm/L0/normalised/knn4"
+REFERENCE_PHOTON_MAP = "photonmap/flann/k50/disc"
+
+
+@dataclass(frozen=True)
+class Method:
+    name: str
+    family: str
+    order: int = 0  # of the spherical harmonics
+    weight: str = ""  # what a hit stands for: radiance, flux, normalised
+    gather: str = ""  # own, bilinear, knn4, ...
+    texels: int = 0  # 0: the study's default
+    number: float = 0  # k, C or the radius as a share of the scene's diagonal
+    kernel: str = ""
+
+    @property
+    def label(self):
+        return self.name.replace("photonmap/flann/", "photonmap/")
+
+    @property
+    def has_floor(self):
+        """Its bias stays whatever the hits, and only its variance falls."""
+        return self.family in (LIGHT_MAP, FIXED_RADIUS)
+
+
+def parse_light_map(name):
+    parts = re.fullmatch(r"shlm/L(\d+)/(\w+)/(\w+)(?:/t(\d+))?", name)
+    if not parts:
+        return None
+    order, weight, gather, texels = parts.groups()
+    return Method(name, LIGHT_MAP, order=int(order), weight=weight, gather=gather, texels=int(texels or 0))
+
+
+def parse_photon_map(name):
+    parts = re.fullmatch(r"photonmap/flann/([kr])([0-9.eE+-]+?)(n23)?/(\w+)", name)
+    if not parts:
+        return None
+    letter, number, grows, kernel = parts.groups()
+    family = FIXED_RADIUS if letter == "r" else GROWING_K if grows else FIXED_K
+    return Method(name, family, number=float(number), kernel=kernel)
+
+
+def parse(name):
+    """A name of another form is a method like any other, of which theory says nothing."""
+    return parse_light_map(name) or parse_photon_map(name) or Method(name, OTHER)

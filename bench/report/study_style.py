@@ -1,0 +1,170 @@
+"""How charts look: one style per method everywhere, and sheets of panels with room for words."""
+
+import textwrap
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
+
+from study_methods import FIXED_K, FIXED_RADIUS, GROWING_K, LIGHT_MAP
+
+DPI = 130
+SMALL = 7  # pt, the smallest there is
+CHARACTERS_PER_INCH = 18  # at SMALL
+TITLE, PANEL_TITLE = 0.5, 0.3  # inches
+
+MAPS = {
+    FIXED_K: ("Blues", 0.55, 0.95),
+    GROWING_K: ("Greens", 0.55, 0.9),
+    FIXED_RADIUS: ("Purples", 0.55, 0.9),
+}
+LIGHT_MAP_COLOURS = {
+    "radiance": {0: "#b59f10", 1: "#ef7d4f", 2: "#cf2f2a", 4: "#6d0f24"},
+    "normalised": {0: "#f0a500", 1: "#b9814a", 2: "#8a5a2b", 4: "#4d2f12"},
+    "flux": {0: "#f3a6cf", 1: "#ee7fbb", 2: "#d6338a", 4: "#8d1a58"},
+}
+GATHER_DASHES = {"own": (0, (1, 1.2)), "bilinear": (0, (4, 1.5)), "knn4": "-"}
+OTHER_GATHER = (0, (6, 1.5, 1, 1.5))
+KERNEL_DASHES = {"cone": (0, (4, 1.5)), "epanechnikov": (0, (1, 1.2))}
+GATHER_MARKERS = {"knn4": "^", "own": "v", "bilinear": "D"}
+OTHER_GATHER_MARKER = "*"
+FAMILY_MARKERS = {FIXED_K: "o", GROWING_K: "s", FIXED_RADIUS: "P"}
+
+
+class Styles:
+    """Of all methods of a study: within a kind of photon map the colour darkens with k, C or the radius."""
+
+    def __init__(self, methods):
+        self._numbers = {f: sorted({m.number for m in methods if m.family == f}) for f in MAPS}
+        self._texels = sorted({m.texels for m in methods if m.family == LIGHT_MAP and m.texels})
+
+    def _shade(self, method):
+        name, first, last = MAPS[method.family]
+        numbers = self._numbers[method.family]
+        along = numbers.index(method.number) / max(1, len(numbers) - 1)
+        return matplotlib.colormaps[name](first + (last - first) * along)
+
+    def of(self, method):
+        """Keyword arguments of plot."""
+        if method.family == LIGHT_MAP:
+            colour = LIGHT_MAP_COLOURS.get(method.weight, {}).get(method.order, "#a0522d")
+            if method.texels:
+                share = (self._texels.index(method.texels) + 1) / (len(self._texels) + 1)
+                colour = matplotlib.colormaps["copper"](0.25 + 0.7 * share)
+            dashes = GATHER_DASHES.get(method.gather, OTHER_GATHER)
+            return {
+                "color": colour,
+                "marker": GATHER_MARKERS.get(method.gather, OTHER_GATHER_MARKER),
+                "linestyle": dashes,
+            }
+        if method.family in MAPS:
+            return {
+                "color": self._shade(method),
+                "marker": FAMILY_MARKERS[method.family],
+                "linestyle": KERNEL_DASHES.get(method.kernel, "-"),
+            }
+        return {"color": "#666666", "marker": "x", "linestyle": "-"}
+
+
+class Sheet:
+    """A grid of panels, laid out in inches, so that nothing overlaps however long the words are."""
+
+    def __init__(
+        self, rows, columns, panel, title, caption, gap=0.75, foot=0.5, legend_lines=0, left=0.75, head=0.0
+    ):
+        """`panel`: width, height; `gap`: between columns; `foot`: under every panel; `left`, `head`: of the
+        whole sheet.
+
+        `legend_lines`: of the legend under all panels, 0 for none.
+        """
+        width = left + columns * panel[0] + (columns - 1) * gap + 0.65
+        lines = textwrap.wrap(caption, int(width * CHARACTERS_PER_INCH))
+        self._caption = 0.14 * len(lines) + 0.1
+        bottom = self._caption + 0.16 * legend_lines + (0.1 if legend_lines else 0) + foot
+        height = TITLE + head + rows * panel[1] + (rows - 1) * (foot + PANEL_TITLE) + bottom
+        self.figure, self.panels = plt.subplots(rows, columns, figsize=(width, height), squeeze=False)
+        self.figure.subplots_adjust(
+            left=left / width,
+            right=1 - 0.65 / width,
+            top=1 - (TITLE + head) / height,
+            bottom=bottom / height,
+            wspace=gap / panel[0],
+            hspace=(foot + PANEL_TITLE) / panel[1],
+        )
+        self.figure.text(0.5, 1 - 0.08 / height, title, ha="center", va="top", fontsize=11)
+        self.figure.text(
+            0.1 / width,
+            0.05 / height,
+            "\n".join(lines),
+            fontsize=SMALL,
+            color="#444444",
+            va="bottom",
+            linespacing=1.3,
+        )
+        self._height = height
+
+    def legend(self, columns):
+        """One for all panels: every label once."""
+        entries = {}
+        for axes in self.panels.flat:
+            for handle, label in zip(*axes.get_legend_handles_labels()):
+                entries.setdefault(label, handle)
+        self.figure.legend(
+            entries.values(),
+            entries.keys(),
+            loc="lower center",
+            ncol=columns,
+            fontsize=SMALL + 0.5,
+            frameon=False,
+            handlelength=3.2,
+            bbox_to_anchor=(0.5, self._caption / self._height),
+            borderaxespad=0,
+        )
+
+    def save(self, path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        self.figure.savefig(path, dpi=DPI)
+        plt.close(self.figure)
+
+
+def log_log(axes, title, x_label, y_label):
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    plain_axes(axes, title, x_label, y_label)
+    axes.grid(True, which="major", linewidth=0.4, alpha=0.6)
+
+
+def plain_axes(axes, title, x_label, y_label):
+    axes.set_title(title, fontsize=9)
+    axes.set_xlabel(x_label, fontsize=8)
+    axes.set_ylabel(y_label, fontsize=8)
+    axes.tick_params(labelsize=7.5)
+
+
+def percent_axis(axes):
+    """Relative RMS in per cent on the right of an axis of mean squared errors."""
+    low, high = axes.get_ylim()
+    ticks = [
+        p
+        for decade in range(-4, 6)
+        for p in (10.0**decade, 2 * 10.0**decade, 5 * 10.0**decade)
+        if low <= (p / 100) ** 2 <= high
+    ]
+    right = axes.twinx()
+    right.set_yscale("log")
+    right.set_ylim(low, high)
+    right.yaxis.set_major_locator(FixedLocator([(p / 100) ** 2 for p in ticks]))
+    right.yaxis.set_minor_locator(NullLocator())
+    right.yaxis.set_minor_formatter(NullFormatter())
+    right.yaxis.set_major_formatter(FuncFormatter(lambda y, _: f"{100 * np.sqrt(max(y, 0)):g} %"))
+    right.tick_params(labelsize=7.5)
+    return right
+
+
+def grid_shape(count):
+    """Rows and columns for one panel a scene: at most two beside each other."""
+    columns = min(2, max(1, count))
+    return -(-count // columns), columns

@@ -79,8 +79,8 @@ def verdict(curve, points, error, variance, theory):
     if error.agrees_with(theory):
         return "agrees within its interval"
     shares = [p.split.bias_share for p in points if p.split.seed_count > 1]
-    why = f"bias² is {100 * shares[0]:.0f} % of the error at the first size fitted, {100 * shares[-1]:.0f} % "
-    f"at the last"
+    first, last = 100 * shares[0], 100 * shares[-1]
+    why = f"bias² is {first:.0f} % of the error at the first size fitted, {last:.0f} % at the last"
     if variance is not None and variance.agrees_with(theory):
         return f"the variance alone agrees; the error differs by {error.value - theory:+.3f}: {why}"
     return f"no, by {error.value - theory:+.3f}: {why}"

@@ -68,6 +68,7 @@ def bias_and_variance(study, curves_by_scene, names, title, words):
             axes.set_ylim(*limits)
             axes.set_xlim(*hits_limits(curves_by_scene))
             axes.tick_params(labelleft=column == 0)
+            axes.minorticks_off()
             if column == 0:
                 axes.set_title(
                     method.replace("photonmap/flann/", "photonmap/"),

@@ -117,7 +117,7 @@ GROUP_TITLES = {
 GROUP_TEXT = {
     "methods": "the light map, the traditional light map, the photon map with k = 50, and of photon maps with "
     "growing k and with fixed radius the one with the smallest error at the largest size that all of its kind "
-    "have (geometric mean over the scenes)",
+    "have, by geometric mean over the scenes",
     "shlm": f"up to {LARGEST_GROUP} light maps of the default size, those nearest to {REFERENCE_LIGHT_MAP}",
     "photonmap": f"up to {LARGEST_GROUP}: four fixed k, two growing k, two radii, the extreme disc kernels first",
     "texels": f"{REFERENCE_LIGHT_MAP} at every number of texels",

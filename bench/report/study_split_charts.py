@@ -114,7 +114,7 @@ def draw_phases(axes, points, names):
             left += seconds
         axes.text(left, row, " " + seconds_text(left), va="center", fontsize=SMALL)
     axes.set_ylim(len(names) - 0.4, -0.6)
-    axes.margins(x=0.14)
+    axes.margins(x=0.2)
 
 
 def time_split(curves_by_scene, names, title, words):

@@ -7,13 +7,16 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
+from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 from study_methods import FIXED_K, FIXED_RADIUS, GROWING_K, LIGHT_MAP
+from study_text import number_text
 
 DPI = 130
 SMALL = 7  # pt, the smallest there is
 CHARACTERS_PER_INCH = 18  # at SMALL
+TITLE_CHARACTERS_PER_INCH = 11
+SHORT = 1.5  # decades
 TITLE, PANEL_TITLE = 0.5, 0.3  # inches
 
 MAPS = {
@@ -31,7 +34,7 @@ OTHER_GATHER = (0, (6, 1.5, 1, 1.5))
 KERNEL_DASHES = {"cone": (0, (4, 1.5)), "epanechnikov": (0, (1, 1.2))}
 GATHER_MARKERS = {"knn4": "^", "own": "v", "bilinear": "D"}
 OTHER_GATHER_MARKER = "*"
-FAMILY_MARKERS = {FIXED_K: "o", GROWING_K: "s", FIXED_RADIUS: "P"}
+FAMILY_MARKERS = {FIXED_K: "o", GROWING_K: "s", FIXED_RADIUS: "p"}
 
 
 class Styles:
@@ -82,19 +85,21 @@ class Sheet:
         """
         width = left + columns * panel[0] + (columns - 1) * gap + 0.65
         lines = textwrap.wrap(caption, int(width * CHARACTERS_PER_INCH))
+        title_lines = textwrap.wrap(title, int(width * TITLE_CHARACTERS_PER_INCH))
+        top = head + TITLE + 0.18 * (len(title_lines) - 1)
         self._caption = 0.14 * len(lines) + 0.1
         bottom = self._caption + 0.16 * legend_lines + (0.1 if legend_lines else 0) + foot
-        height = TITLE + head + rows * panel[1] + (rows - 1) * (foot + PANEL_TITLE) + bottom
+        height = top + rows * panel[1] + (rows - 1) * (foot + PANEL_TITLE) + bottom
         self.figure, self.panels = plt.subplots(rows, columns, figsize=(width, height), squeeze=False)
         self.figure.subplots_adjust(
             left=left / width,
             right=1 - 0.65 / width,
-            top=1 - (TITLE + head) / height,
+            top=1 - top / height,
             bottom=bottom / height,
             wspace=gap / panel[0],
             hspace=(foot + PANEL_TITLE) / panel[1],
         )
-        self.figure.text(0.5, 1 - 0.08 / height, title, ha="center", va="top", fontsize=11)
+        self.figure.text(0.5, 1 - 0.08 / height, "\n".join(title_lines), ha="center", va="top", fontsize=11)
         self.figure.text(
             0.1 / width,
             0.05 / height,
@@ -125,9 +130,26 @@ class Sheet:
         )
 
     def save(self, path):
+        for axes in self.figure.axes:
+            for axis in (axes.xaxis, axes.yaxis):
+                label_short_axis(axis)
         path.parent.mkdir(parents=True, exist_ok=True)
         self.figure.savefig(path, dpi=DPI)
         plt.close(self.figure)
+
+
+def label_short_axis(axis):
+    """A logarithmic axis of less than SHORT decades may hold a single power of ten: plain numbers, and more of them."""
+    low, high = sorted(axis.get_view_interval())
+    if (
+        axis.get_scale() != "log"
+        or high >= low * 10**SHORT
+        or isinstance(axis.get_major_locator(), FixedLocator)
+    ):
+        return
+    axis.set_major_locator(LogLocator(subs=(1, 2, 3, 5)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: number_text(value)))
+    axis.set_minor_locator(NullLocator())
 
 
 def log_log(axes, title, x_label, y_label):

@@ -123,7 +123,7 @@ double StudyScene::write_pictures(const fs::path& folder, std::uint64_t hits,
     common::write_png(folder / fmt::format("{}.png", hits), image_of(picture),
                       common::middle_grey_exposure(image_of(truth)));
     common::write_flip_map(folder / fmt::format("{}-flip.png", hits), width_, height_, flip);
-    return common::mean(flip);
+    return common::flip_mean(flip);
 }
 
 }  // namespace bench

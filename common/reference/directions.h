@@ -20,20 +20,29 @@ namespace common::reference {
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
+/// Two unit vectors across a unit vector and each other.
+struct Tangents {
+    Imath::V3d first, second;
+
+    /// The coordinate axis that lies flattest to the plane gives the first.
+    explicit Tangents(const Imath::V3d& normal) {
+        const Imath::V3d length(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
+        Imath::V3d helper(0, 0, 0);
+        helper[length.x <= length.y && length.x <= length.z ? 0 : length.y <= length.z ? 1 : 2] = 1;
+        first = normal.cross(helper).normalized();
+        second = normal.cross(first);
+    }
+};
+
 /// Unit direction around the unit vector `axis` with density cos / pi: a point of the disc lifted to the
 /// hemisphere (Malley's method).
 [[nodiscard]] inline Vec3 cosine_direction(const Vec3& axis, const std::array<double, 2>& square) {
     using Imath::V3d;
     const auto [x, y] = concentric_disc(square);
     const double z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
-    // The coordinate axis that lies flattest to the plane gives the first tangent.
     const V3d normal(axis);
-    const V3d length(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
-    V3d helper(0, 0, 0);
-    helper[length.x <= length.y && length.x <= length.z ? 0 : length.y <= length.z ? 1 : 2] = 1;
-    const V3d tangent = normal.cross(helper).normalized();
-    const V3d bitangent = normal.cross(tangent);
-    return Vec3((tangent * x + bitangent * y + normal * z).normalized());
+    const Tangents tangents(normal);
+    return Vec3((tangents.first * x + tangents.second * y + normal * z).normalized());
 }
 
 }  // namespace common::reference

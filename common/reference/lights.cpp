@@ -6,7 +6,8 @@
 
 namespace common::reference {
 
-Lights::Lights(const Scene& scene) : of_triangle_(scene.triangle.size(), -1) {
+Lights::Lights(const Scene& scene)
+    : of_triangle_(scene.triangle.size(), -1), specular_(specular_bounds(scene)) {
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) {
         if (!scene.material_of(t).emits()) continue;
         of_triangle_[t] = static_cast<std::int32_t>(light_.size());

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "common/reference/direction_choice.h"
 #include "common/reference/light.h"
 #include "common/reference/receiver.h"
 
@@ -19,6 +20,9 @@ class Lights {
     /// The number of the light that this triangle is, or -1.
     [[nodiscard]] std::int32_t of_triangle(std::uint32_t triangle) const { return of_triangle_[triangle]; }
 
+    /// Where to look for lights by way of mirrors and glass.
+    [[nodiscard]] std::span<const SpecularBounds> specular() const { return specular_; }
+
     /// Sum of powers up to and with each light, W.
     [[nodiscard]] std::span<const double> cumulative_power() const { return cumulative_power_; }
 
@@ -26,6 +30,7 @@ class Lights {
     std::vector<Light> light_;
     std::vector<std::int32_t> of_triangle_;
     std::vector<double> cumulative_power_;
+    std::vector<SpecularBounds> specular_;
 };
 
 /// More lights than this are chosen by their power alone.

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "common/reference/directions.h"
+#include "common/reference/direction_choice.h"
 #include "common/reference/light_sample.h"
 #include "common/reference/specular.h"
 
@@ -41,9 +41,13 @@ class Path {
         FirstNumbers numbers = first;
         while (true) {
             const LightChoice choice(lights_, receiver);
-            add_light(receiver, choice, numbers);
-            const ChosenDirection chosen = choose_direction(receiver, numbers);
-            if (chosen.towards.dot(receiver.geometric_normal) <= 0 || chosen.density <= 0) break;
+            const DirectionChoice directions(lights_.specular(), receiver);
+            add_light(receiver, choice, directions, numbers);
+            const Vec3 towards = directions.choose(numbers.direction);
+            const double cosine = incident_cosine(receiver, V3d(towards));
+            if (cosine <= 0) break;
+            const ChosenDirection chosen{receiver.origin, towards, directions.density(towards)};
+            throughput_ *= cosine / pi / chosen.density;
             const std::optional<Receiver> next = follow(chosen, choice);
             if (!next) break;
             receiver = *next;
@@ -53,13 +57,9 @@ class Path {
     }
 
   private:
-    static ChosenDirection choose_direction(const Receiver& receiver, const FirstNumbers& numbers) {
-        const Vec3 towards = cosine_direction(receiver.normal, numbers.direction);
-        return {receiver.origin, towards, V3d(receiver.normal).dot(V3d(towards)) / pi};
-    }
-
     /// Next event estimation.
-    void add_light(const Receiver& receiver, const LightChoice& choice, const FirstNumbers& numbers) {
+    void add_light(const Receiver& receiver, const LightChoice& choice, const DirectionChoice& directions,
+                   const FirstNumbers& numbers) {
         const std::int32_t chosen = choice.choose(numbers.which_light);
         if (chosen < 0) return;
         const auto sample = sample_light(rays_, lights_.light()[chosen], receiver, numbers.on_light);
@@ -68,7 +68,7 @@ class Path {
         double weight = 1;
         if (sample->density > 0) {
             const double by_light = probability * sample->density;
-            const double by_direction = V3d(receiver.normal).dot(V3d(sample->towards).normalized()) / pi;
+            const double by_direction = directions.density(sample->towards.normalized());
             weight = by_light / (by_light + by_direction);
         }
         add(doubles(sample->irradiance) * (weight / probability));

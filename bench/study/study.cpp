@@ -28,8 +28,6 @@ bool study_scene(const StudyPlan& plan, const std::filesystem::path& file, std::
     if (!table.is_missing_any(file.stem().string(), plan.methods, hits, plan.seeds)) return true;
     StudyScene scene(file, plan);
     print_warnings(scene.loaded(), scene.prepared(), true);
-    scene.write_reference(plan.out / "raw" / scene.name());
-    table.describe_scene(scene.name(), scene.facts());
     warm_up(plan, scene);
     for (std::uint64_t seed = 1; seed <= plan.seeds; ++seed) {
         const std::vector<Method> methods = table.missing(scene.name(), plan.methods, hits, seed);
@@ -39,6 +37,20 @@ bool study_scene(const StudyPlan& plan, const std::filesystem::path& file, std::
         table.add(run.rows);
     }
     return true;
+}
+
+/// What is seen of the answers, and the reference they are measured by: from what is there, so that both are
+/// up to date whenever the reference has become better.
+void compare_with_reference(const StudyPlan& plan, const std::filesystem::path& file, StudyTable& table) {
+    const StudyScene scene(file, plan);
+    scene.write_reference(plan.out / "raw" / scene.name());
+    table.describe_scene(scene.name(), scene.facts());
+    table.change_rows(scene.name(), [&](nlohmann::ordered_json& row) {
+        if (row["seed"] != 1) return;
+        const std::filesystem::path answers = plan.out / row["answers"].get<std::string>();
+        row["flip"] = scene.write_pictures(answers.parent_path(), row["hits_asked"].get<std::uint64_t>(),
+                                           read_answers(answers, scene.points().size()));
+    });
 }
 
 void run(const StudyOptions& options) {
@@ -52,6 +64,7 @@ void run(const StudyOptions& options) {
                 if (!study_scene(plan, file, hits, table))
                     throw Interrupted(fmt::format("study stopped: {} finished rows are in {}",
                                                   table.row_count(), table.file().string()));
+        for (const std::filesystem::path& file : plan.files) compare_with_reference(plan, file, table);
         if (!run_python("bench/report/study_report.py", plan.out))
             fmt::print(stderr, "study: the report could not be written; the table is complete\n");
         fmt::print("{}: {} rows\n", table.file().string(), table.row_count());

@@ -122,7 +122,6 @@ StudyRun run_study(const StudyPlan& plan, StudyScene& scene, const std::vector<M
             const std::filesystem::path file = folder / fmt::format("{}-{}.f32", hits, seed);
             write_binary(plan.out / file, answers.data(), answers.size() * sizeof(common::Rgb));
             row["answers"] = file.string();
-            if (seed == 1) row["flip"] = scene.write_pictures(plan.out / folder, hits, answers);
             run.rows.push_back(std::move(row));
         });
         store = StudyStore();

@@ -13,7 +13,7 @@ struct StudyRun {
     bool interrupted = false;                  ///< the user ended it; there are no rows then
 };
 
-/// `methods` in the plan's order. Writes each method's answers, and for the first seed its pictures.
+/// `methods` in the plan's order. Writes each method's answers.
 [[nodiscard]] StudyRun run_study(const StudyPlan& plan, StudyScene& scene, const std::vector<Method>& methods,
                                  std::uint64_t hits, std::uint64_t seed);
 

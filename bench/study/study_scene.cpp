@@ -51,6 +51,15 @@ void write_binary(const fs::path& file, const void* values, std::size_t bytes) {
     if (!out || error) throw common::InputError(fmt::format("{}: cannot be written", file.string()));
 }
 
+std::vector<Rgb> read_answers(const fs::path& file, std::size_t points) {
+    std::vector<Rgb> answers(points);
+    std::ifstream in(file, std::ios::binary);
+    in.read(reinterpret_cast<char*>(answers.data()), static_cast<std::streamsize>(points * sizeof(Rgb)));
+    if (!in || in.peek() != std::ifstream::traits_type::eof())
+        throw common::InputError(fmt::format("{}: does not hold {} answers", file.string(), points));
+    return answers;
+}
+
 StudyScene::StudyScene(const fs::path& file, const StudyPlan& plan)
     : loaded_(file.string(), plan.scene), source_(loaded_.scene), prepared_(loaded_, plan.settings) {
     const fs::path reference_file = plan.reference_of(file);

@@ -58,4 +58,7 @@ class StudyScene {
 /// Writes values as they lie in memory. Throws InputError where that fails.
 void write_binary(const std::filesystem::path& file, const void* values, std::size_t bytes);
 
+/// What write_binary wrote of an answer per point. Throws InputError unless there are `points` of them.
+[[nodiscard]] std::vector<common::Rgb> read_answers(const std::filesystem::path& file, std::size_t points);
+
 }  // namespace bench

@@ -63,6 +63,16 @@ void StudyTable::add(const std::vector<Json>& rows) {
         if (!row.contains("skipped"))
             present_.emplace(row["scene"], row["method"], row["hits_asked"], row["seed"]);
     }
+    write();
+}
+
+void StudyTable::change_rows(const std::string& scene, const std::function<void(Json&)>& change) {
+    for (Json& row : document_["rows"])
+        if (row["scene"] == scene && !row.contains("skipped")) change(row);
+    write();
+}
+
+void StudyTable::write() const {
     write_text(file_, document_.dump(1) + "\n");
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
@@ -29,10 +30,15 @@ class StudyTable {
     /// Appends the rows and writes the file anew: what is finished survives whatever comes.
     void add(const std::vector<nlohmann::ordered_json>& rows);
 
+    /// Calls `change` with every row of a scene that has been measured, and writes the file anew.
+    void change_rows(const std::string& scene, const std::function<void(nlohmann::ordered_json&)>& change);
+
     [[nodiscard]] std::size_t row_count() const { return document_["rows"].size(); }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
   private:
+    void write() const;
+
     using Key = std::tuple<std::string, std::string, std::uint64_t, std::uint64_t>;
 
     std::filesystem::path file_;

@@ -52,6 +52,18 @@ TEST(ReferenceMirror, ShowsAPanelWhereItsImageIs) {
     expect_irradiance(trace_reference(scene, points, seed, 2 * passes - 1), expected);
 }
 
+TEST(ReferenceMirror, MayEmitItself) {
+    Scene scene;
+    add(scene, quad({-4, 0, -4}, {0, 0, 8}, {8, 0, 0}), black);
+    Material lamp = mirror();
+    lamp.emitted_radiance = Rgb(3, 3, 3);
+    const Mesh panel = quad({-1, 2, -1}, {2, 0, 0}, {0, 0, 2});  // down
+    add(scene, panel, lamp);
+    const SurfacePoint point = front_of(scene, on_quad(0, 0.6f, 0.5f));
+    const std::vector<double> expected = {3 * lambert(panel.position, point.position, point.shading_normal)};
+    expect_irradiance(trace_reference(scene, std::span(&point, 1), seed, passes), std::span(expected));
+}
+
 // --- glass
 
 /// Of light that meets a plate at this cosine, after all reflections inside it: (1 - R) / (1 + R), with R of

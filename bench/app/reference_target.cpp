@@ -13,9 +13,6 @@ namespace {
 using common::InputError;
 using common::reference::samples_per_pass;
 
-/// A variance takes two passes.
-constexpr std::uint64_t fewest_passes = 2;
-
 double parse_percentage(const std::string& text) {
     if (!text.ends_with('%')) throw InputError("--until: '" + text + "' is not a percentage such as 0.1%");
     const double percent = parse_numbers("--until", text.substr(0, text.size() - 1), 1).front();

@@ -6,6 +6,9 @@
 
 namespace bench {
 
+/// A variance takes two passes; with less there is no image.
+inline constexpr std::uint64_t fewest_passes = 2;
+
 /// One of the two is asked for, the other is 0.
 struct ReferenceTarget {
     std::uint64_t passes = 0;

@@ -1,0 +1,35 @@
+// A run of the reference: passes until the target, and the file that they are in.
+#pragma once
+
+#include <filesystem>
+
+#include "bench/app/reference_target.h"
+#include "bench/app/scene_options.h"
+#include "common/reference/continuation.h"
+
+namespace bench {
+
+/// What is the same for all passes. `loaded` must outlive it.
+struct ReferenceRun {
+    const LoadedScene& loaded;
+    std::filesystem::path out;
+    common::reference::ReferenceIdentity identity;
+    std::vector<common::VisibleSurface> pixels;
+    common::reference::Lights lights;
+
+    ReferenceRun(const LoadedScene& scene, std::uint64_t seed, const std::filesystem::path& file, int width,
+                 int height);
+};
+
+/// Adds passes until the target is reached or the user stops it, and saves every minute or so. Returns
+/// whether it was reached. Shows its progress.
+[[nodiscard]] bool sample(const ReferenceRun& run, const ReferenceTarget& target,
+                          common::reference::ReferenceSums& sums);
+
+/// The image with its notes, and a PNG beside it.
+void write(const ReferenceRun& run, const common::reference::ReferenceSums& sums);
+
+/// "FILE: 1024 samples per pixel, relative error 0.5 %"
+[[nodiscard]] std::string describe(const ReferenceRun& run, const common::reference::ReferenceSums& sums);
+
+}  // namespace bench

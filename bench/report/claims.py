@@ -5,17 +5,9 @@ what was measured. Times are compared by medians; a difference counts only where
 not touch.
 """
 
-from dataclasses import dataclass
-
 from comparison import INCREMENTAL, LIGHT_MAP, PHOTON_MAP, count_text, map_seconds
-
-
-@dataclass
-class Finding:
-    claim: str
-    says: str
-    verdict: str
-    measured: str
+from finding import Finding, not_measured
+from study_claims import CONVERGES, NORMAL_MAPS, accuracy_crossings, converges, normal_maps
 
 
 def bounds(row, columns):
@@ -166,7 +158,7 @@ def constant_gather(comparison):
                    f"photon map: {listing(tree)}.")
 
 
-def faster_gather(comparison):
+def faster_gather(comparison, study):
     says = "The search is faster where more than one photon falls on a texel"
     above, below = [], []
     for scene in comparison.scenes:
@@ -182,21 +174,19 @@ def faster_gather(comparison):
     note = "" if any_below_lost or not below else " It is faster below one hit per texel as well, so that this is not what decides."
     return Finding("faster-gather", says, verdict,
                    f"Photon map's time per query over SHLM's, at hits per texel: {ratios}.{note} "
-                   f"The settings are those of the table; the errors are not equal, so this is a statement about time alone.")
+                   + (accuracy_crossings(study) if study else
+                      "The errors are not equal, so this is a statement about time alone."))
 
 
-def not_measured(name, says):
-    return Finding(name, says, "not measured yet", "")
-
-
-def findings(comparison):
+def findings(comparison, study):
+    """`study`: the summary.json of a study, None without one."""
     return [
         tracing_speed(comparison),
         constant_insert(comparison),
         constant_memory(comparison),
         constant_gather(comparison),
-        faster_gather(comparison),
-        not_measured("normal-maps", "The map lights normal-mapped surfaces"),
-        not_measured("converges", "Accumulation can go on indefinitely, to maximum convergence"),
+        faster_gather(comparison, study),
+        normal_maps(study) if study else not_measured(*NORMAL_MAPS),
+        converges(study) if study else not_measured(*CONVERGES),
         not_measured("billion-hits", "Over a billion hits on a desktop PC"),
     ]

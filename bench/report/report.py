@@ -1,6 +1,9 @@
-"""Writes FOLDER/report.md from FOLDER/compare.json and prints its summary: report.py FOLDER"""
+"""Writes FOLDER/report.md from FOLDER/compare.json, and from a study's summary.json if there is one, and prints the
+verdicts: report.py FOLDER [STUDY_FOLDER]"""
 
+import json
 import sys
+from pathlib import Path
 
 from claims import findings
 from comparison import LIGHT_MAP, LIGHT_MAP_FLUX, PHOTON_MAP, Comparison, count_text
@@ -13,9 +16,9 @@ CHARTS = {
 }
 
 
-def claims_table(comparison):
+def claims_table(comparison, study):
     lines = ["| claim | the paper says | verdict | measured |", "|---|---|---|---|"]
-    lines += [f"| {f.claim} | {f.says} | **{f.verdict}** | {f.measured} |" for f in findings(comparison)]
+    lines += [f"| {f.claim} | {f.says} | **{f.verdict}** | {f.measured} |" for f in findings(comparison, study)]
     return lines
 
 
@@ -68,9 +71,9 @@ def context_lines(comparison):
     return lines + ["- libraries: " + ", ".join(f"{name} {version}" for name, version in libraries.items())]
 
 
-def report(comparison):
+def report(comparison, study):
     lines = ["# Photon maps and spherical harmonic light maps, measured side by side", ""]
-    lines += ["## The paper's claims", "", *claims_table(comparison), ""]
+    lines += ["## The paper's claims", "", *claims_table(comparison, study), ""]
     lines += ["## Charts", ""]
     for name, text in CHARTS.items():
         lines += [text, "", f"![{name}](charts/{name}.png)", ""]
@@ -94,11 +97,18 @@ def report(comparison):
     return "\n".join(lines)
 
 
+def read_summary(folder):
+    file = Path(folder) / "summary.json"
+    return json.loads(file.read_text(encoding="utf-8")) if file.exists() else None
+
+
 def main():
     comparison = Comparison(sys.argv[1])
-    (comparison.folder / "report.md").write_text(report(comparison), encoding="utf-8")
-    width = max(len(f.claim) for f in findings(comparison))
-    for finding in findings(comparison):
+    study = read_summary(sys.argv[2]) if len(sys.argv) > 2 else None
+    (comparison.folder / "report.md").write_text(report(comparison, study), encoding="utf-8")
+    found = findings(comparison, study)
+    width = max(len(f.claim) for f in found)
+    for finding in found:
         print(f"{finding.claim:<{width}}  {finding.verdict:<16}  {finding.measured}")
     print(f"\n{comparison.folder / 'report.md'}")
 

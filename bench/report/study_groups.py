@@ -44,11 +44,10 @@ def best(curves_by_scene, names):
 
 
 def best_known(methods, curves_by_scene):
-    """The light map, the traditional light map, and the best of each kind of photon map."""
+    """The light map, its best size, the traditional light map, and the best of each kind of photon map."""
     names = [m.name for m in methods]
-    chosen = [
-        name for name in (REFERENCE_LIGHT_MAP, TRADITIONAL_LIGHT_MAP, REFERENCE_PHOTON_MAP) if name in names
-    ]
+    plain = (REFERENCE_LIGHT_MAP, best(curves_by_scene, texel_variants(methods)))
+    chosen = [n for n in dict.fromkeys((*plain, TRADITIONAL_LIGHT_MAP, REFERENCE_PHOTON_MAP)) if n in names]
     for family in (GROWING_K, FIXED_RADIUS):
         if name := best(curves_by_scene, [m.name for m in of_family(methods, family)]):
             chosen.append(name)
@@ -115,9 +114,9 @@ GROUP_TITLES = {
     "texels": "light map sizes",
 }
 GROUP_TEXT = {
-    "methods": "the light map, the traditional light map, the photon map with k = 50, and of photon maps with "
-    "growing k and with fixed radius the one with the smallest error at the largest size that all of its kind "
-    "have, by geometric mean over the scenes",
+    "methods": "the light map, the traditional light map, the photon map with k = 50, and of the light map's "
+    "sizes, of photon maps with growing k and of those with fixed radius the one with the smallest error at the "
+    "largest size that all of its kind have, by geometric mean over the scenes",
     "shlm": f"up to {LARGEST_GROUP} light maps of the default size, those nearest to {REFERENCE_LIGHT_MAP}",
     "photonmap": f"up to {LARGEST_GROUP}: four fixed k, two growing k, two radii, the extreme disc kernels first",
     "texels": f"{REFERENCE_LIGHT_MAP} at every number of texels",

@@ -84,6 +84,13 @@ def words_of(point):
     )
 
 
+def two_lines(name):
+    """A long name is cut at the slash nearest to its middle."""
+    cuts = [i for i, c in enumerate(name) if c == "/"]
+    middle = min(cuts, key=lambda i: abs(i - len(name) / 2))
+    return name if len(name) < 24 else f"{name[: middle + 1]}\n{name[middle + 1 :]}"
+
+
 def show(axes, values, missing):
     axes.set_axis_off()
     if values is None:
@@ -114,7 +121,7 @@ def picture_row(study, scene, curves, names, budget, title, words):
         seen, flip = pictures_of(study.folder, point) if point else (None, None)
         show(top[column], seen, "no picture" if point else "no run within the budget")
         show(below[column], flip, "no FLIP map" if point else "")
-        top[column].set_title(curves[name].method.label, fontsize=8)
+        top[column].set_title(two_lines(curves[name].method.label), fontsize=7)
         if point:
             below[column].set_title(words_of(point), fontsize=7)
     return sheet

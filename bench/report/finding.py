@@ -1,0 +1,15 @@
+"""What became of one of the paper's claims."""
+
+from dataclasses import dataclass
+
+
+@dataclass
+class Finding:
+    claim: str
+    says: str
+    verdict: str  # confirmed, refuted, conditional, not measured yet
+    measured: str
+
+
+def not_measured(claim, says):
+    return Finding(claim, says, "not measured yet", "")

@@ -81,6 +81,23 @@ def reference_lines(report):
     return lines + [""]
 
 
+def clamp_lines(report):
+    """What dividing by a clamped cosine of incidence takes from the light, which only radiance weights do."""
+    lines = [
+        "## What the clamp of the cosine discards",
+        "",
+        "A hit is divided by the cosine of its incidence, but by no less than 0.001. Largest share of the stored flux that is "
+        "lost to it, over all runs of a scene:",
+        "",
+    ]
+    for scene, curves in report.curves.items():
+        rows = [row for curve in curves.values() for point in curve.points for row in point.run.rows]
+        shares = [row["clamped_share"] for row in rows if "clamped_share" in row]
+        if shares:
+            lines.append(f"- {scene}: {max(shares):.2g}")
+    return lines + [""] if len(lines) > 4 else []
+
+
 def group_lines(report):
     lines = ["## Which methods the charts draw", "", "All methods are in the tables.", ""]
     for group, names in report.groups.items():
@@ -115,6 +132,7 @@ def markdown(report, chart_lines, image_lines):
         front_lines(report),
         ["## Pictures at equal cost", "", *image_lines] if image_lines else [],
         reference_lines(report),
+        clamp_lines(report),
         full_lines(report),
         missing_lines(report),
         context_lines(report),

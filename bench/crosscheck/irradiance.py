@@ -39,31 +39,47 @@ def estimate_irradiance(scene, points, batches, samples_per_batch, seed, report=
         mean += step / (batch + 1)
         square_sum += step * (value - mean)
         report(batch + 1)
+    if not np.isfinite(square_sum).all():
+        raise ArithmeticError("Mitsuba gave irradiances that are not finite")
     return Estimate(mean, square_sum / (batches - 1) / batches)
 
 
+# Emitters that the point sees are found by both of the following, weighted by the balance heuristic (Veach and Guibas 1995):
+# close to a large panel sampling its area alone has a variance that no number of samples reveals.
+
+
 def _lit_by_emitters(scene, sampler, point, shading_normal):
-    """By emitters that the point sees."""
+    """By sampled places on emitters."""
     sample, radiance_over_density = scene.sample_emitter_direction(point, sampler.next_2d(), True)
     is_above = dr.dot(point.n, sample.d) > 0
     cosine = dr.maximum(dr.dot(shading_normal, sample.d), 0)
-    return dr.select(is_above, radiance_over_density * cosine, 0)
+    share = dr.select(sample.delta, 1, _share(sample.pdf, cosine / dr.pi))
+    return dr.select(is_above, radiance_over_density * cosine * share, 0)
 
 
 def _lit_by_surfaces(scene, integrator, sampler, point, shading_normal):
-    """By everything else, in cosine-distributed directions. What the first surface emits is left out: the point sees it.
-    What is seen in a mirror or through glass stays, as emitter sampling cannot find it."""
+    """By what is seen in cosine-distributed directions. Emitters in a mirror or behind glass have no other way to be found
+    and count in full."""
     local = mi.warp.square_to_cosine_hemisphere(sampler.next_2d())
     direction = mi.Frame3f(shading_normal).to_world(local)
     is_above = dr.dot(point.n, direction) > 0
     ray = mi.RayDifferential3f(point.spawn_ray(direction))
     radiance, _, _ = integrator.sample(scene, sampler, ray, None, is_above)
-    emitted = _emitted_by_first_surface(scene, ray, is_above)
-    return dr.select(is_above, (radiance - emitted) * dr.pi, 0)
+    counted_already = _share_of_emitter_sampling(scene, point, ray, local.z / dr.pi, is_above)
+    return dr.select(is_above, (radiance - counted_already) * dr.pi, 0)
 
 
-def _emitted_by_first_surface(scene, ray, active):
+def _share_of_emitter_sampling(scene, point, ray, density, active):
+    """Of what the first surface along `ray` emits, which was sampled with `density` per steradian."""
     surface = scene.ray_intersect(ray, active)
     emitter = surface.emitter(scene, active)
-    # Only the scalar variants have None; elsewhere a missing emitter evaluates to zero.
-    return mi.Color3f(0) if emitter is None else emitter.eval(surface, active)
+    if emitter is None:  # in the scalar variants only; elsewhere a missing emitter emits zero
+        return mi.Color3f(0)
+    seen = mi.DirectionSample3f(scene, surface, point)
+    other_density = scene.pdf_emitter_direction(point, seen, active)
+    return emitter.eval(surface, active) * _share(other_density, density)
+
+
+def _share(density, other_density):
+    """Zero where both are, as for emitters that are hidden."""
+    return density / dr.maximum(density + other_density, 1e-30)

@@ -10,11 +10,14 @@ from input_error import InputError
 from irradiance import Estimate
 from points import Points, mean_at
 
+_REGION_SIZE = 8  # pixels
+
 
 @dataclass(frozen=True)
 class Reference:
     points: Points
     estimate: Estimate
+    region_of: np.ndarray  # (points,): the square of 8 x 8 pixels that a point is seen in
     notes: dict  # how the file was made, as it says itself
 
 
@@ -38,7 +41,14 @@ def read_reference(file):
 
     points = Points(channels("position", "XYZ"), channels("normal", "XYZ"), channels("geometric_normal", "XYZ"))
     notes = {key: bitmap.metadata()[key] for key in bitmap.metadata().keys() if key.startswith("shlmbench:")}
-    return Reference(points, Estimate(channels("irradiance", "RGB"), channels("variance", "RGB")), notes)
+    estimate = Estimate(channels("irradiance", "RGB"), channels("variance", "RGB"))
+    return Reference(points, estimate, _region_of(seen), notes)
+
+
+def _region_of(seen):
+    """Numbers of the squares for the pixels that are seen, row by row."""
+    y, x = np.nonzero(seen)
+    return y // _REGION_SIZE * -(-seen.shape[1] // _REGION_SIZE) + x // _REGION_SIZE
 
 
 def check_points_lie_on(scene, reference, name):

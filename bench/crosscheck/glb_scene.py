@@ -1,14 +1,16 @@
-"""What a .glb file describes: world-space meshes, materials and lights.
+"""The scene that a .glb file describes.
 
 Read for the cross-check alone and sharing nothing with common/gltf, so that an error in either shows. What the
 project's own scenes do not contain is refused rather than guessed.
 """
 
-from dataclasses import dataclass
+import struct
 
 import numpy as np
 
 from glb_file import GlbFile
+from input_error import InputError
+from scene import Material, Mesh, PointLight, Scene, SpotLight, TextureUse
 
 _WRAP = {10497: "repeat", 33071: "clamp", 33648: "mirror"}
 _KNOWN_EXTENSIONS = {
@@ -20,66 +22,15 @@ _KNOWN_EXTENSIONS = {
 }
 
 
-@dataclass(frozen=True)
-class TextureUse:
-    """An sRGB image (encoded bytes, row 0 at v = 0) and how it is looked up."""
-
-    image: bytes
-    texcoord_set: int
-    wrap: str
-
-
-@dataclass(frozen=True)
-class Material:
-    name: str = "default"
-    kind: str = "diffuse"  # or "mirror", "glass"
-    base_color: tuple = (1.0, 1.0, 1.0)  # albedo, reflectance of a mirror, tint of glass
-    base_color_texture: TextureUse | None = None
-    emitted_radiance: tuple = (0.0, 0.0, 0.0)  # W/(m^2 sr), from the front face
-    emissive_texture: TextureUse | None = None
-    index_of_refraction: float = 1.5
-
-    @property
-    def emits(self):
-        return max(self.emitted_radiance) > 0
-
-
-@dataclass(frozen=True)
-class Mesh:
-    """Triangles, counter-clockwise seen from the front."""
-
-    material: Material
-    position: np.ndarray  # (vertices, 3) float32, world space
-    triangles: np.ndarray  # (triangles, 3) uint32
-    normal: np.ndarray | None = None  # (vertices, 3), unit
-    texcoord: tuple = (None, None)  # (vertices, 2) each
-
-
-@dataclass(frozen=True)
-class PointLight:
-    position: tuple
-    intensity: tuple  # W/sr
-
-
-@dataclass(frozen=True)
-class SpotLight:
-    position: tuple
-    axis: tuple  # unit, the way the light shines
-    intensity: tuple  # W/sr on the axis
-    inner_angle: float  # radians from the axis
-    outer_angle: float
-
-
-@dataclass(frozen=True)
-class Scene:
-    meshes: list
-    point_lights: list
-    spot_lights: list
-
-
 def read_scene(file):
-    """The first scene of FILE (.glb). Raises InputError for what cannot be read or is not converted."""
-    glb = GlbFile(file)
+    """The scene of FILE (.glb). Raises InputError for what cannot be read or is not converted."""
+    try:
+        return _scene(GlbFile(file))
+    except (KeyError, IndexError, TypeError, ValueError, struct.error) as error:
+        raise InputError(f"{file}: broken: {error!r}") from error
+
+
+def _scene(glb):
     for name in glb.list_of("extensionsUsed"):
         if name not in _KNOWN_EXTENSIONS:
             glb.refuse(f"uses the extension {name}, which is not converted")

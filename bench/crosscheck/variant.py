@@ -5,7 +5,7 @@ import sys
 
 import mitsuba as mi
 
-# LLVM before 16 aborts the process on instructions that Mitsuba 3.9 needs: found out in a process of its own.
+# LLVM 15 aborts the process on what Mitsuba 3.9 gives it: found out in a process of its own.
 _PROBE = "import mitsuba as mi, drjit as dr; mi.set_variant('llvm_ad_rgb'); dr.eval(dr.maximum(dr.arange(mi.Float, 16), 1))"
 
 

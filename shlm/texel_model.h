@@ -80,6 +80,14 @@ class TexelMean {
         return result;
     }
 
+    /// The same before anything is cut off.
+    [[nodiscard]] common::Rgb series() const {
+        common::Rgb result(0, 0, 0);
+        if (weight_ == 0) return result;
+        for (int c = 0; c < 3; ++c) result[c] = channel(c) / weight_;
+        return result;
+    }
+
   private:
     [[nodiscard]] float channel(int c) const {
         if constexpr (!Model::keeps_surface_irradiance) return shading_[c];

@@ -6,6 +6,7 @@
 #include "bench/app/provenance.h"
 #include "bench/app/reference.h"
 #include "bench/app/render.h"
+#include "bench/bases/bases.h"
 #include "bench/compare/compare.h"
 #include "bench/study/study.h"
 #include "common/core/input_error.h"
@@ -27,6 +28,7 @@ int run(int argc, char** argv) {
     bench::add_compare_command(app);
     bench::add_study_command(app);
     bench::add_diff_command(app);
+    bench::add_bases_command(app);
     try {
         app.parse(argc, argv);
         return 0;

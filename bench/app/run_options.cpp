@@ -6,14 +6,18 @@
 
 namespace bench {
 
-void RunOptions::add_to(CLI::App& command) {
-    command.add_option("--threads", threads, "0: all")->capture_default_str();
+void add_seed_option(CLI::App& command, std::uint64_t& seed) {
     // CLI11 would take -1 for 2^64 - 1.
-    command.add_option("--seed", seed, "Another seed, other photons")
+    command.add_option("--seed", seed, "Another seed, other random numbers")
         ->check([](const std::string& text) {
             return std::string(text.starts_with('-') ? "must not be negative" : "");
         })
         ->capture_default_str();
+}
+
+void RunOptions::add_to(CLI::App& command) {
+    command.add_option("--threads", threads, "0: all")->capture_default_str();
+    add_seed_option(command, seed);
 }
 
 int RunOptions::thread_count() const {

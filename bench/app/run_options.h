@@ -6,6 +6,9 @@
 
 namespace bench {
 
+/// --seed: any number that is not negative.
+void add_seed_option(CLI::App& command, std::uint64_t& seed);
+
 struct RunOptions {
     int threads = 0;  ///< 0: as many as the machine has
     std::uint64_t seed = 1;

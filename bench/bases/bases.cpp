@@ -1,0 +1,74 @@
+#include "bench/bases/bases.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "bench/app/output_folder.h"
+#include "bench/app/provenance.h"
+#include "bench/app/python.h"
+#include "bench/app/run_options.h"
+#include "bench/bases/bases_table.h"
+#include "common/core/input_error.h"
+#include "common/core/interrupt.h"
+#include "common/core/progress.h"
+
+namespace bench {
+namespace {
+
+constexpr std::int64_t most_environments = 100'000;
+
+struct BasesOptions {
+    std::int64_t environments = 240;
+    std::uint64_t seed = 1;
+    std::string out;
+};
+
+/// All kinds of light. Throws Interrupted.
+std::vector<BasisFigures> measure(std::size_t count, std::uint64_t seed) {
+    std::uint64_t total = 0, done = 0;
+    for (const LightKind kind : light_kinds) total += environment_count(kind, count);
+    common::Progress progress("bases", "environments", total);
+    const auto go_on = [&] {
+        progress.show(done++);
+        return !common::interrupted();
+    };
+    std::vector<BasisFigures> all;
+    for (const LightKind kind : light_kinds) {
+        const auto figures = measure_bases(kind, count, seed, go_on);
+        if (!figures)
+            throw Interrupted("bases stopped: nothing is written, a part of the environments is no table");
+        all.insert(all.end(), figures->begin(), figures->end());
+    }
+    return all;
+}
+
+void run(const BasesOptions& options) {
+    if (options.environments < 1 || options.environments > most_environments)
+        throw common::InputError(fmt::format("--environments: from 1 to {}", most_environments));
+    const std::filesystem::path folder = options.out;
+    prepare_output_folder("--out", folder);
+    const std::vector<BasisFigures> figures =
+        measure(static_cast<std::size_t>(options.environments), options.seed);
+    write_text(folder / "bases.json",
+               bases_as_json(figures, measure_tilt_curve(), options.seed).dump(1) + "\n");
+    write_text(folder / "bases.md", bases_as_markdown(figures, options.seed));
+    if (!run_python("bench/report/bases_chart.py", folder))
+        fmt::print(stderr, "bases: the charts could not be drawn; the table is complete\n");
+    fmt::print("{}\n{}\n", bases_as_text(figures), (folder / "bases.json").string());
+}
+
+}  // namespace
+
+void add_bases_command(CLI::App& app) {
+    const auto options = std::make_shared<BasesOptions>();
+    CLI::App* command =
+        app.add_subcommand("bases", "Say what a texel's basis loses at tilted normals, without a scene");
+    command->add_option("--environments", options->environments, "Random environments of each kind")
+        ->capture_default_str();
+    add_seed_option(*command, options->seed);
+    command->add_option("--out", options->out, "Folder for bases.json, bases.md and charts")->required();
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace bench

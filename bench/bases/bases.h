@@ -1,0 +1,10 @@
+// shlmbench bases: what a texel's basis loses at tilted normals, without a scene and without noise.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace bench {
+
+void add_bases_command(CLI::App& app);
+
+}  // namespace bench

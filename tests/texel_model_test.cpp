@@ -1,0 +1,442 @@
+// What a texel makes of its hits: every order and weight, against closed forms; and what the clamp of grazing
+// hits costs.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "shlm/sink.h"
+#include "tests/statistics.h"
+#include "tests/tracing.h"
+
+namespace {
+
+using namespace tests;
+using common::HitBatch;
+using shlm::ClampedLight;
+using shlm::PreparedTexels;
+using shlm::ShWeight;
+using shlm::TexelModel;
+
+constexpr double degrees = pi / 180;
+
+/// All that there are.
+using AllModels = std::tuple<TexelModel<0, ShWeight::radiance>, TexelModel<1, ShWeight::radiance>,
+                             TexelModel<2, ShWeight::radiance>, TexelModel<4, ShWeight::radiance>,
+                             TexelModel<0, ShWeight::flux>, TexelModel<1, ShWeight::flux>,
+                             TexelModel<2, ShWeight::flux>, TexelModel<4, ShWeight::flux>,
+                             TexelModel<0, ShWeight::normalised>, TexelModel<1, ShWeight::normalised>,
+                             TexelModel<2, ShWeight::normalised>, TexelModel<4, ShWeight::normalised>>;
+
+/// Calls `test` with an object of each model.
+template <class Test>
+void for_each_model(Test test) {
+    std::apply([&](auto... model) { (test(model), ...); }, AllModels{});
+}
+
+/// The same for one weight.
+template <ShWeight Weight, class Test>
+void for_each_order(Test test) {
+    for_each_model([&](auto model) {
+        if constexpr (decltype(model)::weight == Weight) test(model);
+    });
+}
+
+/// A floor of one texel at z = 0 with an area of 1.
+const Scene& floor_scene() {
+    static const Scene made = [] {
+        Scene scene;
+        add(scene, quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), diffuse(Rgb(1, 1, 1)));
+        return scene;
+    }();
+    return made;
+}
+
+PreparedTexels texels_of(const Scene& scene, std::size_t count) {
+    return {scene, shlm::find_lightmap_uv(scene), count};
+}
+
+/// A hit that brings `flux` to the floor from there.
+void add_hit(HitBatch& hits, const Vec3& towards_light, const Rgb& flux) {
+    hits.push_back({0.5f, 0.5f, 0}, -towards_light, flux, on_quad(0, 0.5f, 0.5f));
+}
+
+HitBatch one_hit(const Vec3& towards_light, const Rgb& flux) {
+    HitBatch hits;
+    add_hit(hits, towards_light, flux);
+    return hits;
+}
+
+/// What a model makes of hits on the floor, asked for different shading normals.
+template <class Model>
+class Floor {
+  public:
+    explicit Floor(const HitBatch& hits)
+        : texels_(texels_of(floor_scene(), 1)), map_(filled(texels_, hits)) {}
+
+    [[nodiscard]] Rgb irradiance(const Vec3& shading_normal) const {
+        SurfacePoint point = front_of(floor_scene(), on_quad(0, 0.5f, 0.5f));
+        point.shading_normal = shading_normal;
+        return map_.irradiance(point);
+    }
+
+  private:
+    static shlm::LightMap<Model> filled(const PreparedTexels& texels, const HitBatch& hits) {
+        shlm::Sink<Model> sink(texels, shlm::OwnTexel{});
+        sink.consume(std::span(&hits, 1));
+        return sink.finish(1);
+    }
+
+    PreparedTexels texels_;
+    shlm::LightMap<Model> map_;
+};
+
+const Vec3 up(0, 0, 1);
+
+/// Unit, `tilt` radians from straight up, turned by `turn` radians.
+Vec3 direction(double tilt, double turn = 0) {
+    return {static_cast<float>(std::sin(tilt) * std::cos(turn)),
+            static_cast<float>(std::sin(tilt) * std::sin(turn)), static_cast<float>(std::cos(tilt))};
+}
+
+/// The clamped cosine's series, cut off after an order, at a cosine of x. It is cut off below zero, too.
+double kernel(int order, double x) {
+    switch (order) {
+        case 0:
+            return 0.25;
+        case 1:
+            return std::max(0.0, 0.25 + x / 2);
+        case 2:
+            return std::max(0.0, (3 + 16 * x + 15 * x * x) / 32);
+        default:
+            return std::max(
+                0.0, (3 + 16 * x + 15 * x * x) / 32 - 3.0 / 32 * (35 * std::pow(x, 4) - 30 * x * x + 3) / 8);
+    }
+}
+
+void expect_near(const Rgb& actual, const Rgb& expected, double relative, const std::string& what) {
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(actual[c], expected[c], relative * (std::abs(expected[c]) + 0.01))
+            << what << ", channel " << c;
+}
+
+/// Hits from anywhere above the floor, each colour from other places: some straight down, some grazing, some
+/// more grazing than the clamp.
+HitBatch mixed_light(unsigned seed) {
+    std::mt19937 engine(seed);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    HitBatch hits;
+    for (int i = 0; i < 200; ++i) {
+        const double cosine = std::pow(10, -6 * uniform(engine)), turn = 2 * pi * uniform(engine);
+        Rgb flux(0, 0, 0);
+        flux[i % 3] = static_cast<float>(uniform(engine));
+        add_hit(hits, direction(std::acos(cosine), turn), flux);
+    }
+    add_hit(hits, up, Rgb(0, 0.5f, 0));
+    return hits;
+}
+
+Rgb flux_of(const HitBatch& hits) {
+    Imath::C3f sum(0, 0, 0);
+    for (const Rgb& flux : hits.flux) sum += flux;
+    return sum;
+}
+
+/// Normals all over the hemisphere, the surface's own first.
+std::vector<Vec3> normals() {
+    std::vector<Vec3> all = {up};
+    for (const double tilt : {10, 30, 45, 60, 75, 89})
+        for (const double turn : {0, 80, 160, 240, 320})
+            all.push_back(direction(tilt * degrees, turn * degrees));
+    return all;
+}
+
+std::string name_of(int order, const Vec3& normal) {
+    return "order " + std::to_string(order) + ", normal " + std::to_string(normal.x) + " " +
+           std::to_string(normal.y) + " " + std::to_string(normal.z);
+}
+
+// What is stored.
+
+TEST(TexelModel, StoresAsManyNumbersAsItSays) {
+    EXPECT_EQ((TexelModel<0, ShWeight::radiance>::stored), 1u);
+    EXPECT_EQ((TexelModel<1, ShWeight::radiance>::stored), 4u);
+    EXPECT_EQ((TexelModel<2, ShWeight::radiance>::stored), 9u);
+    EXPECT_EQ((TexelModel<4, ShWeight::radiance>::stored), 18u);
+    EXPECT_EQ((TexelModel<0, ShWeight::flux>::stored), 1u);
+    EXPECT_EQ((TexelModel<1, ShWeight::flux>::stored), 4u);
+    EXPECT_EQ((TexelModel<2, ShWeight::flux>::stored), 9u);
+    EXPECT_EQ((TexelModel<4, ShWeight::flux>::stored), 18u);
+    EXPECT_EQ((TexelModel<0, ShWeight::normalised>::stored), 1u) << "flat: the irradiance is all there is";
+    EXPECT_EQ((TexelModel<1, ShWeight::normalised>::stored), 5u);
+    EXPECT_EQ((TexelModel<2, ShWeight::normalised>::stored), 10u);
+    EXPECT_EQ((TexelModel<4, ShWeight::normalised>::stored), 19u);
+    for_each_model([](auto model) {
+        using Model = decltype(model);
+        EXPECT_EQ(sizeof(shlm::TexelLight<Model>), Model::stored * sizeof(Rgb));
+    });
+}
+
+TEST(TexelModel, ATraditionalLightMapStoresOneForEachHit) {
+    using LightMapModel = TexelModel<0, ShWeight::normalised>;
+    for (const float inverse_cosine : {1.0f, 2.0f, 1000.0f})
+        EXPECT_EQ(LightMapModel::of_hit(direction(1.2), inverse_cosine), LightMapModel::Values{1});
+    EXPECT_EQ(LightMapModel::finishing_factor(0), 1);
+}
+
+// What is answered.
+
+TEST(TexelModel, ATraditionalLightMapGivesTheSurfacesIrradianceToEveryNormal) {
+    constexpr unsigned seed = 1;
+    const HitBatch hits = mixed_light(seed);
+    const Floor<TexelModel<0, ShWeight::normalised>> floor(hits);
+    for (const Vec3& normal : normals())
+        expect_near(floor.irradiance(normal), flux_of(hits), 1e-5, name_of(0, normal));
+}
+
+TEST(TexelModel, NormalisedIsExactForTheSurfacesOwnNormal) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const HitBatch hits = mixed_light(seed);
+        for_each_order<ShWeight::normalised>([&](auto model) {
+            const Floor<decltype(model)> floor(hits);
+            expect_near(floor.irradiance(up), flux_of(hits), 1e-5,
+                        name_of(model.order, up) + ", seed " + std::to_string(seed));
+        });
+    }
+    // One grazing light alone.
+    for (const double cosine : {0.5, 1e-2, 1e-3, 1e-5, 1e-7})
+        for_each_order<ShWeight::normalised>([&](auto model) {
+            const Floor<decltype(model)> floor(one_hit(direction(std::acos(cosine)), Rgb(1, 2, 3)));
+            expect_near(floor.irradiance(up), Rgb(1, 2, 3), 1e-6, name_of(model.order, up));
+        });
+}
+
+TEST(TexelModel, NormalisedFollowsTheHarmonicsElsewhere) {
+    // Each channel has a light of its own.
+    const std::array<Vec3, 3> lights = {direction(70 * degrees), direction(20 * degrees, 2),
+                                        direction(89.99 * degrees, 4)};
+    HitBatch hits;
+    for (int c = 0; c < 3; ++c) {
+        Rgb flux(0, 0, 0);
+        flux[c] = static_cast<float>(c + 1);
+        add_hit(hits, lights[static_cast<std::size_t>(c)], flux);
+    }
+    for_each_order<ShWeight::normalised>([&](auto model) {
+        constexpr int order = decltype(model)::order;
+        const Floor<decltype(model)> floor(hits);
+        for (const Vec3& normal : normals()) {
+            Rgb expected(0, 0, 0);
+            for (int c = 0; c < 3; ++c) {
+                const Vec3& light = lights[static_cast<std::size_t>(c)];
+                expected[c] =
+                    static_cast<float>((c + 1) * kernel(order, light.dot(normal)) / kernel(order, light.z));
+            }
+            expect_near(floor.irradiance(normal), expected, 1e-4, name_of(order, normal));
+        }
+    });
+}
+
+/// Light of perpendicular irradiance 1 from `towards_light`.
+HitBatch unit_light(const Vec3& towards_light) {
+    return one_hit(towards_light, Rgb(1, 2, 3) * towards_light.z);
+}
+
+TEST(TexelModel, OneLightGivesTheTruncatedKernel) {
+    for (const double incidence : {0.0, 30.0, 60.0, 85.0})
+        for_each_order<ShWeight::radiance>([&](auto model) {
+            const Vec3 light = direction(incidence * degrees, 0.7);
+            const Floor<decltype(model)> floor(unit_light(light));
+            for (const Vec3& normal : normals()) {
+                const auto expected = static_cast<float>(kernel(model.order, light.dot(normal)));
+                expect_near(floor.irradiance(normal), Rgb(1, 2, 3) * expected, 1e-5,
+                            name_of(model.order, normal));
+            }
+        });
+    EXPECT_EQ(kernel(1, 1), 0.75);
+    EXPECT_EQ(kernel(2, 1), 34.0 / 32);
+    EXPECT_EQ(kernel(4, 1), 31.0 / 32);
+}
+
+TEST(TexelModel, FluxWeightLacksTheCosine) {
+    for (const double incidence : {0.0, 30.0, 60.0, 85.0, 89.99})
+        for_each_order<ShWeight::flux>([&](auto model) {
+            const Vec3 light = direction(incidence * degrees, 0.7);
+            const Floor<decltype(model)> floor(unit_light(light));
+            for (const Vec3& normal : normals()) {
+                const auto expected = static_cast<float>(light.z * kernel(model.order, light.dot(normal)));
+                expect_near(floor.irradiance(normal), Rgb(1, 2, 3) * expected, 1e-5,
+                            name_of(model.order, normal));
+            }
+        });
+}
+
+/// A sky of radiance 1: directions of equal solid angle, two Gauss points a step in z, which integrate
+/// polynomials of the third degree exactly.
+HitBatch uniform_hemisphere() {
+    constexpr int z_steps = 60, turns = 32;
+    constexpr double solid_angle = 2 * pi / (2.0 * z_steps * turns);
+    HitBatch hits;
+    for (int i = 0; i < z_steps; ++i)
+        for (const double side : {-1.0, 1.0})
+            for (int j = 0; j < turns; ++j) {
+                const double z = (i + 0.5 + 0.5 * side / std::sqrt(3.0)) / z_steps;
+                const Vec3 light = direction(std::acos(z), 2 * pi * (j + 0.5) / turns);
+                add_hit(hits, light, Rgb(1, 2, 3) * static_cast<float>(z * solid_angle));
+            }
+    return hits;
+}
+
+TEST(TexelModel, UniformHemisphereIsRightAtEveryTilt) {
+    // The half sphere has no even band but the 0th and the clamped cosine no odd one but the 1st: nothing is
+    // cut off.
+    const HitBatch hits = uniform_hemisphere();
+    for_each_model([&](auto model) {
+        using Model = decltype(model);
+        if constexpr (Model::order > 0 && Model::weight != ShWeight::flux) {
+            const Floor<Model> floor(hits);
+            for (const Vec3& normal : normals()) {
+                const auto expected = static_cast<float>(pi * (1 + normal.z) / 2);
+                expect_near(floor.irradiance(normal), Rgb(1, 2, 3) * expected, 2e-5,
+                            name_of(model.order, normal));
+            }
+        }
+    });
+    // Order 0 sees the mean over the whole sphere, half of which is dark.
+    const Floor<TexelModel<0, ShWeight::radiance>> flat(hits);
+    for (const Vec3& normal : normals())
+        expect_near(flat.irradiance(normal), Rgb(1, 2, 3) * static_cast<float>(pi / 2), 2e-5,
+                    name_of(0, normal));
+}
+
+TEST(TexelModel, NoLightIsZero) {
+    for_each_model([](auto model) {
+        using Model = decltype(model);
+        const Floor<Model> dark(HitBatch{}), zero(one_hit(direction(0.5), Rgb(0, 0, 0))),
+            red(one_hit(direction(0.5), Rgb(1, 0, 0)));
+        for (const Vec3& normal : normals()) {
+            EXPECT_EQ(dark.irradiance(normal), Rgb(0, 0, 0)) << name_of(model.order, normal);
+            EXPECT_EQ(zero.irradiance(normal), Rgb(0, 0, 0)) << name_of(model.order, normal);
+            EXPECT_EQ(red.irradiance(normal).y, 0) << name_of(model.order, normal);
+            EXPECT_EQ(red.irradiance(normal).z, 0) << name_of(model.order, normal);
+        }
+        EXPECT_GT(red.irradiance(up).x, 0) << name_of(model.order, up);
+        EXPECT_EQ(shlm::TexelMean<Model>(up, up).irradiance(), Rgb(0, 0, 0)) << "of no texels";
+    });
+}
+
+// What the clamp takes away.
+
+template <class Model>
+ClampedLight clamped_by(const PreparedTexels& texels, std::span<const HitBatch> batches) {
+    shlm::Accumulator<Model> accumulator(texels.layout);
+    accumulator.consume(batches);
+    return accumulator.clamped();
+}
+
+template <class Model = shlm::PaperModel>
+ClampedLight clamped_by(const HitBatch& hits) {
+    return clamped_by<Model>(texels_of(floor_scene(), 1), std::span(&hits, 1));
+}
+
+/// Unit, with exactly this cosine to the floor's normal.
+Vec3 with_cosine(float cosine) {
+    return {std::sqrt(1 - cosine * cosine), 0, cosine};
+}
+
+TEST(ClampedLight, IsTheShareBelowTheClamp) {
+    constexpr double clamp = common::min_incident_cosine;
+    HitBatch hits;
+    double flux = 0, discarded = 0;
+    for (const auto& [cosine, watts] :
+         {std::pair(1.0f, 1.0f), std::pair(0.1f, 2.0f), std::pair(1.01e-3f, 4.0f), std::pair(7.5e-4f, 8.0f),
+          std::pair(5e-4f, 16.0f), std::pair(1e-6f, 32.0f)}) {
+        add_hit(hits, with_cosine(cosine), Rgb(0.5f, 1, 1.5f) * watts);
+        flux += double{watts};
+        discarded += double{watts} * std::max(0.0, 1 - cosine / clamp);
+    }
+    const ClampedLight clamped = clamped_by(hits);
+    EXPECT_NEAR(clamped.flux, flux, 1e-6 * flux);
+    EXPECT_NEAR(clamped.discarded, discarded, 1e-6 * flux);
+    EXPECT_NEAR(clamped.discarded_share(), discarded / flux, 1e-6);
+}
+
+TEST(ClampedLight, IsWhatTheSurfaceLacks) {
+    for (const float cosine : {0.5f, 9e-4f, 5e-4f, 1e-5f}) {
+        const HitBatch hits = one_hit(with_cosine(cosine), Rgb(1, 1, 1));
+        const double without_clamp = kernel(2, cosine) / cosine;
+        const double share = clamped_by(hits).discarded_share();
+        EXPECT_NEAR(Floor<shlm::PaperModel>(hits).irradiance(up).x / without_clamp, 1 - share, 1e-5)
+            << "cosine " << cosine;
+    }
+}
+
+TEST(ClampedLight, IsNothingWithoutGrazingHits) {
+    EXPECT_EQ(clamped_by(HitBatch{}).discarded_share(), 0) << "not 0 / 0";
+    HitBatch hits;
+    for (const float cosine : {1.0f, 0.5f, 0.01f, common::min_incident_cosine})
+        add_hit(hits, with_cosine(cosine), Rgb(1, 2, 3));
+    const ClampedLight clamped = clamped_by(hits);
+    EXPECT_EQ(clamped.discarded, 0);
+    EXPECT_NEAR(clamped.flux, 8, 1e-6);
+}
+
+TEST(ClampedLight, IsNothingWhereTheSurfacesIrradianceDoesNotNeedTheCosine) {
+    const HitBatch hits = one_hit(with_cosine(1e-5f), Rgb(1, 1, 1));
+    for_each_order<ShWeight::radiance>(
+        [&](auto model) { EXPECT_NEAR(clamped_by<decltype(model)>(hits).discarded_share(), 0.99, 1e-6); });
+    for_each_order<ShWeight::flux>(
+        [&](auto model) { EXPECT_EQ(clamped_by<decltype(model)>(hits).discarded_share(), 0); });
+    // What it keeps beside the shape is the exact sum.
+    for_each_order<ShWeight::normalised>([&](auto model) {
+        EXPECT_EQ(clamped_by<decltype(model)>(hits).discarded_share(), 0) << model.order;
+    });
+}
+
+TEST(ClampedLight, LeavesOutRejectedHits) {
+    HitBatch hits = one_hit(with_cosine(5e-4f), Rgb(1, 1, 1));
+    add_hit(hits, with_cosine(-1e-5f), Rgb(7, 7, 7));  // on the back
+    add_hit(hits, with_cosine(1e-5f), Rgb(7, 7, std::numeric_limits<float>::infinity()));
+    const ClampedLight clamped = clamped_by(hits);
+    EXPECT_NEAR(clamped.flux, 1, 1e-6);
+    EXPECT_NEAR(clamped.discarded, 0.5, 1e-6);
+}
+
+/// A room's hits, every seventh of them turned until it grazes its surface.
+HitBatch hits_with_grazing_ones(const Scene& room, std::uint64_t seed) {
+    HitBatch hits = record(room, seed, {.photons = count_for(100'000, 20'000)}).hits;
+    for (std::size_t i = 0; i < hits.size(); i += 7) {
+        const common::Frame frame(room.geometric_normal[hits.surface[i].triangle]);
+        const float part = static_cast<float>(i) / static_cast<float>(hits.size());
+        hits.direction[i] =
+            -frame.to_world(common::direction_at(2 * common::min_incident_cosine * part, part));
+    }
+    return hits;
+}
+
+TEST(ClampedLight, IsTheSameOnAnyNumberOfThreadsAndForAnyWaves) {
+    constexpr std::uint64_t seed = 2;
+    Scene room = closed_box(diffuse(Rgb(0.7f, 0.5f, 0.3f)));
+    add(room, quad({-0.5f, -0.5f, -0.5f}, {1, 0, 0}, {0, 1, 0}),
+        double_sided(diffuse(Rgb(0.5f, 0.5f, 0.5f))));
+    room.point_light.push_back({{0, 0, 0.2f}, Rgb(3, 2, 1)});
+    const PreparedTexels texels = texels_of(room, 500);
+    const std::vector<HitBatch> batches = in_batches(hits_with_grazing_ones(room, seed), 1000);
+    using Accumulator = shlm::Accumulator<shlm::PaperModel>;
+    Accumulator reference(texels.layout);
+    common::ThreadPool(1).run([&] { reference.consume(batches); });
+    EXPECT_GT(reference.clamped().discarded_share(), 0.01) << "seed " << seed;
+    for (const int threads : {1, 2, 7})
+        for (const std::size_t wave : {std::size_t{1}, std::size_t{3}, std::size_t{64}}) {
+            Accumulator other(texels.layout);
+            common::ThreadPool(threads).run([&] {
+                for (std::size_t i = 0; i < batches.size(); i += wave)
+                    other.consume(std::span(batches).subspan(i, std::min(wave, batches.size() - i)));
+            });
+            EXPECT_EQ(other.clamped().flux, reference.clamped().flux)
+                << threads << " threads, waves of " << wave;
+            EXPECT_EQ(other.clamped().discarded, reference.clamped().discarded)
+                << threads << " threads, waves of " << wave;
+        }
+}
+
+}  // namespace

@@ -25,9 +25,10 @@ class Accumulator {
     [[nodiscard]] const TexelSums<Model>& sums() const { return sums_; }
     [[nodiscard]] const common::RejectedHits& rejected() const { return sorter_.rejected(); }
 
-    /// Nothing is clamped where the cosine is not divided by.
+    /// Nothing where the surface's irradiance does not come from a division by the cosine: with the flux weight,
+    /// and where its exact sum is kept.
     [[nodiscard]] ClampedLight clamped() const {
-        return Model::weight == ShWeight::flux ? ClampedLight{} : sorter_.clamped();
+        return Model::weight == ShWeight::radiance ? sorter_.clamped() : ClampedLight{};
     }
 
     /// The sums and what is kept to sort a wave by share.

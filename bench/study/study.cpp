@@ -28,6 +28,7 @@ bool study_scene(const StudyPlan& plan, const std::filesystem::path& file, std::
     if (!table.is_missing_any(file.stem().string(), plan.methods, hits, plan.seeds)) return true;
     StudyScene scene(file, plan);
     print_warnings(scene.loaded(), scene.prepared(), true);
+    table.describe_scene(scene.name(), scene.facts());
     warm_up(plan, scene);
     for (std::uint64_t seed = 1; seed <= plan.seeds; ++seed) {
         const std::vector<Method> methods = table.missing(scene.name(), plan.methods, hits, seed);

@@ -54,7 +54,13 @@ bool StudyTable::is_missing_any(const std::string& scene, const std::vector<Meth
 }
 
 void StudyTable::describe_scene(const std::string& name, const Json& facts) {
-    document_["scenes"][name] = facts;
+    Json& known = document_["scenes"][name];
+    for (const char* key : {"fingerprint", "width", "height", "points"})
+        if (known.contains(key) && known[key] != facts[key])
+            throw common::InputError(
+                fmt::format("{}: the rows of {} are for another {}: {} there, {} asked for; give another --out",
+                            file_.string(), name, key, known[key].dump(), facts[key].dump()));
+    known = facts;
 }
 
 void StudyTable::add(const std::vector<Json>& rows) {

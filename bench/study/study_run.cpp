@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/app/memory_need.h"
+#include "bench/app/output_folder.h"
 #include "bench/study/study_store.h"
+#include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
 
@@ -71,12 +73,24 @@ std::vector<MethodGroup> groups_of(const std::vector<Method>& methods) {
     return groups;
 }
 
+/// Why there are no texels to be had for the method; empty where there are.
+std::string trouble_with_texels(const Method& method, PreparedMethods& prepared) {
+    try {
+        if (method.light_map()) (void)prepared.texels_of(*method.light_map());
+        return "";
+    } catch (const common::InputError& e) {
+        return e.what();
+    }
+}
+
 /// Groups that fit into memory side by side; rows with the reason for the others.
 std::vector<MethodGroup> that_fit(std::vector<MethodGroup> groups, const StudyPlan& plan,
-                                  const RunFacts& facts, std::vector<Json>& skipped) {
+                                  PreparedMethods& prepared, const RunFacts& facts,
+                                  std::vector<Json>& skipped) {
     std::size_t free = plan.max_bytes;
     std::erase_if(groups, [&](const MethodGroup& group) {
-        const std::string reason = reason_to_skip(group.front(), plan.settings, facts.hits_asked, free);
+        std::string reason = reason_to_skip(group.front(), plan.settings, facts.hits_asked, free);
+        if (reason.empty()) reason = trouble_with_texels(group.front(), prepared);
         for (const Method& method : group) {
             if (reason.empty()) continue;
             skipped.push_back(row_start(facts, method, plan.settings));
@@ -95,7 +109,7 @@ StudyRun run_study(const StudyPlan& plan, StudyScene& scene, const std::vector<M
     StudyRun run;
     RunFacts facts{scene.name(), hits, seed, {}};
     std::vector<StudyStore> stores;
-    for (MethodGroup& group : that_fit(groups_of(methods), plan, facts, run.rows))
+    for (MethodGroup& group : that_fit(groups_of(methods), plan, scene.prepared(), facts, run.rows))
         stores.emplace_back(std::move(group), scene.prepared());
     if (stores.empty()) return run;
 
@@ -118,7 +132,7 @@ StudyRun run_study(const StudyPlan& plan, StudyScene& scene, const std::vector<M
             row["gather_seconds"] = gather.seconds();
 
             const std::filesystem::path folder = answers_folder(scene.name(), map.method.name);
-            std::filesystem::create_directories(plan.out / folder);
+            prepare_output_folder("--out", plan.out / folder);
             const std::filesystem::path file = folder / fmt::format("{}-{}.f32", hits, seed);
             write_binary(plan.out / file, answers.data(), answers.size() * sizeof(common::Rgb));
             row["answers"] = file.string();

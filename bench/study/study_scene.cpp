@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "bench/app/output_folder.h"
 #include "bench/app/provenance.h"
 #include "common/core/input_error.h"
 #include "common/difference/error_map.h"
@@ -106,7 +107,7 @@ void StudyScene::write_reference(const fs::path& folder) const {
     std::vector<float> tilt;
     for (const common::SurfacePoint& point : points_)
         tilt.push_back(degrees_between(point.shading_normal, point.geometric_normal));
-    fs::create_directories(folder);
+    prepare_output_folder("--out", folder);
     write_binary(folder / "reference.f32", truth_.data(), truth_.size() * sizeof(Rgb));
     write_binary(folder / "variance.f32", variance_.data(), variance_.size() * sizeof(Rgb));
     write_binary(folder / "tilt.f32", tilt.data(), tilt.size() * sizeof(float));

@@ -152,8 +152,9 @@ class Study : public testing::Test {
     }
 
     /// Makes another reference than references().
-    void make_reference(const std::string& name, const Words& more) const {
-        Words words = {"reference", cornell, "--out", path(name), "--spp", "64"};
+    void make_reference(const std::string& name, const Words& more,
+                        const std::string& scene = cornell) const {
+        Words words = {"reference", scene, "--out", path(name), "--spp", "64"};
         words.insert(words.end(), more.begin(), more.end());
         const Ended ended = run_program(words, said);
         ASSERT_EQ(ended.exit_code, 0) << ended.err;
@@ -385,6 +386,26 @@ TEST_F(Study, SaysWhatDoesNotFitAndMeasuresItWhenItDoes) {
     EXPECT_EQ(measured[0], rows[1]) << "kept";
 }
 
+TEST_F(Study, SaysWhyALightMapIsNotToBeHad) {
+    const std::string scene = gltf_text::one_triangle().write(folder).string();
+    make_reference("scene.exr", {"--width", "16", "--height", "9", "--sky", "1,1,1"}, scene);
+    const Json rows = study({.out = path("out"),
+                             .methods = {"shlm/L2/radiance/own", "photonmap"},
+                             .hits = "500",
+                             .seeds = "1",
+                             .more = {"--sky", "1,1,1"},
+                             .references = folder.path().string(),
+                             .scene = scene});
+    ASSERT_EQ(rows.size(), 2u);
+    for (const Json& row : rows) {
+        const bool is_light_map = row["method"] == "shlm/L2/radiance/own";
+        ASSERT_EQ(row.contains("skipped"), is_light_map) << row;
+        if (is_light_map) {
+            EXPECT_NE(row["skipped"].get<std::string>().find("TEXCOORD_1"), std::string::npos) << row;
+        }
+    }
+}
+
 // What it refuses.
 
 TEST_F(Study, RefusesAFolderOfOtherSettings) {
@@ -484,6 +505,9 @@ TEST_F(Study, RefusesOptionsThatMeanNothing) {
         expect_refusal(with([&](Request& r) { r.more = {option}; }),
                        {std::string(option).substr(0, std::string(option).find('='))});
     expect_refusal(with([&](Request& r) { r.out = path("file"); }), {"--out", "file"});
+    fs::create_directory(path("blocked"));
+    folder.write("blocked/raw", "");
+    expect_refusal(with([&](Request& r) { r.out = path("blocked"); }), {"--out", "blocked/raw"});
     expect_refusal(with([&](Request& r) { r.scene = path("cornell.glb"); }), {"cornell.glb"});
     expect_refusal(with([&](Request& r) { r.more = {cornell}; }), {"cornell"});
 }

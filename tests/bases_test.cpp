@@ -112,6 +112,22 @@ TEST(Environments, RoomsAreLobesOverAFloor) {
     }
 }
 
+/// The lobes' number, brightness and width by what they are at the zenith w: over d uniform in the hemisphere
+/// around it the mean of (w.d)^s is 1 / (s + 1), and that of 1 / (s + 1) over log s uniform from ln 2 to ln
+/// 32 is (ln(32 / 33) - ln(2 / 3)) / ln 16.
+TEST(Environments, RoomsHaveTheRadianceOfSixLobesOnAverage) {
+    const auto count = static_cast<std::uint32_t>(count_for(4000, 400));
+    const double expected = 0.1 + 6 * 0.5 * (std::log(32.0 / 33) - std::log(2.0 / 3)) / std::log(16.0);
+    tests::Sample radiance;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Environment room = bench::make_environment(LightKind::room, i, count, 1);
+        const double share =
+            bench::cap_solid_angle(common::min_incident_cosine) / static_cast<double>(room.size());
+        radiance.add(room.back().irradiance / (room.back().towards_light.z * share));
+    }
+    EXPECT_NEAR(radiance.mean(), expected, tests::z_for(1e-4) * radiance.standard_error());
+}
+
 TEST(Environments, AreTheSameForTheSameSeedAlone) {
     for (const LightKind kind : {LightKind::point, LightKind::room}) {
         const auto irradiance = [&](std::uint32_t index, std::uint64_t seed) {

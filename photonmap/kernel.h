@@ -32,9 +32,12 @@ struct EpanechnikovKernel {
 template <class Work>
 auto with_kernel(Kernel kernel, Work work) {
     switch (kernel) {
-        case Kernel::cone: return work(ConeKernel{});
-        case Kernel::epanechnikov: return work(EpanechnikovKernel{});
-        case Kernel::disc: break;
+        case Kernel::cone:
+            return work(ConeKernel{});
+        case Kernel::epanechnikov:
+            return work(EpanechnikovKernel{});
+        case Kernel::disc:
+            break;
     }
     return work(DiscKernel{});
 }

@@ -25,8 +25,8 @@ class Accumulator {
     [[nodiscard]] const TexelSums<Model>& sums() const { return sums_; }
     [[nodiscard]] const common::RejectedHits& rejected() const { return sorter_.rejected(); }
 
-    /// Nothing where the surface's irradiance does not come from a division by the cosine: with the flux weight,
-    /// and where its exact sum is kept.
+    /// Nothing where the surface's irradiance does not come from a division by the cosine: with the flux
+    /// weight, and where its exact sum is kept.
     [[nodiscard]] ClampedLight clamped() const {
         return Model::weight == ShWeight::radiance ? sorter_.clamped() : ClampedLight{};
     }

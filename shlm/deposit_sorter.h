@@ -47,7 +47,8 @@ class DepositSorter {
 
     /// The wave's deposits into one share of the texels, in the order of their photons.
     [[nodiscard]] std::span<const Deposit> share(std::size_t index) const {
-        return std::span(by_share_).subspan(share_begin_[index], share_begin_[index + 1] - share_begin_[index]);
+        return std::span(by_share_).subspan(share_begin_[index],
+                                            share_begin_[index + 1] - share_begin_[index]);
     }
 
     [[nodiscard]] const common::RejectedHits& rejected() const { return rejected_; }

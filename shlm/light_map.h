@@ -1,4 +1,5 @@
-// The finished spherical harmonic light map: irradiance from the texels around a point (Good and Taylor 2005).
+// The finished spherical harmonic light map: irradiance from the texels around a point (Good and Taylor
+// 2005).
 #pragma once
 
 #include <oneapi/tbb/parallel_for.h>

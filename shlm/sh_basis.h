@@ -19,7 +19,7 @@ concept SupportedOrder = Order == 0 || Order == 1 || Order == 2 || Order == 4;
 
 /// One value per harmonic: bands 0, 1, 2 and 4 one after the other, m from -l to l within each.
 template <int Order>
-    requires SupportedOrder<Order>
+requires SupportedOrder<Order>
 using ShValues = std::array<float, harmonic_count(Order)>;
 
 /// Orthonormal real harmonics at a unit direction, without the Condon-Shortley sign (Ramamoorthi and Hanrahan

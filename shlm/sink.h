@@ -15,7 +15,9 @@ class Sink {
 
     void consume(std::span<const common::HitBatch> wave) { accumulator_.consume(wave); }
 
-    [[nodiscard]] LightMap<Model> finish(float watts_per_flux) const { return finish(watts_per_flux, gather_); }
+    [[nodiscard]] LightMap<Model> finish(float watts_per_flux) const {
+        return finish(watts_per_flux, gather_);
+    }
 
     /// The same light asked in another way.
     [[nodiscard]] LightMap<Model> finish(float watts_per_flux, const Gather& gather) const {

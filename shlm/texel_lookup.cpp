@@ -41,7 +41,8 @@ NearestTexelsLookup::NearestTexelsLookup(const PreparedTexels& texels, NearestTe
       max_radius_(4 * std::sqrt(largest_area(texels))) {}
 
 TexelLookup make_lookup(const PreparedTexels& texels, const Gather& gather) {
-    if (const auto* nearest = std::get_if<NearestTexels>(&gather)) return NearestTexelsLookup(texels, *nearest);
+    if (const auto* nearest = std::get_if<NearestTexels>(&gather))
+        return NearestTexelsLookup(texels, *nearest);
     if (std::holds_alternative<Bilinear>(gather)) return BilinearLookup(texels, Bilinear{});
     return OwnTexelLookup(texels, OwnTexel{});
 }

@@ -100,7 +100,8 @@ class NearestTexelsLookup {
         static thread_local std::vector<common::Neighbour> neighbours;  // a gather must not allocate
         neighbours.resize(count_);
         common::NearestSet nearest(neighbours, max_radius_ * max_radius_);
-        index_.search(point.position, nearest, [&](std::uint32_t i) { return face(i).looks_the_way_of(point); });
+        index_.search(point.position, nearest,
+                      [&](std::uint32_t i) { return face(i).looks_the_way_of(point); });
         for (const common::Neighbour& neighbour : nearest.found()) {
             const TexelFace& found = face(neighbour.index);
             use(neighbour.index, found.area * found.normal.dot(point.geometric_normal));

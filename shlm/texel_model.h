@@ -7,8 +7,8 @@
 
 namespace shlm {
 
-/// Harmonics up to `Order`, with the given weight for each hit. Order 0 normalised is what a traditional light
-/// map stores: the irradiance of the surface, the same for all normals.
+/// Harmonics up to `Order`, with the given weight for each hit. Order 0 normalised is what a traditional
+/// light map stores: the irradiance of the surface, the same for all normals.
 template <int Order, ShWeight Weight>
 struct TexelModel {
     static constexpr int order = Order;

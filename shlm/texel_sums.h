@@ -29,7 +29,8 @@ class TexelSums {
     /// Asks for the texel's cache lines ahead of `add`.
     void prefetch(std::size_t texel) const {
         const char* address = reinterpret_cast<const char*>(&recent_[texel]);
-        for (std::size_t line = 0; line < sizeof(RecentSum); line += 64) __builtin_prefetch(address + line, 1);
+        for (std::size_t line = 0; line < sizeof(RecentSum); line += 64)
+            __builtin_prefetch(address + line, 1);
     }
 
     /// Adds one hit. `towards_light` is unit, `inverse_cosine` that of incidence, clamped.

@@ -536,7 +536,11 @@ TEST_F(Study, InterruptedKeepsFinishedRowsAndGoesOn) {
     request.seeds = std::to_string(rows.size() / some_methods.size() + 1);
     const Json after = study(request);
     ASSERT_EQ(after.size(), rows.size() + some_methods.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(after[i], rows[i]) << "times included";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Json kept = after[i];
+        kept.erase("flip");  // comes with the report
+        EXPECT_EQ(kept, rows[i]) << "times included";
+    }
     EXPECT_TRUE(fs::exists(path("out/report.md")));
     // It has measured what it would have measured without the signal.
     request.out = path("whole");

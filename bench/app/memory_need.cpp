@@ -11,7 +11,7 @@ namespace {
 constexpr double photon_bytes = sizeof(common::Vec3) + sizeof(photonmap::Photon);
 constexpr double flann_bytes = 46;              // bulk tree: 33 to 42 by leaf fill
 constexpr double flann_incremental_bytes = 96;  // 75, and FLANN's array of pointers while it grows
-constexpr double wave_bytes = 64e6;  // hits on their way to a store
+constexpr double wave_bytes = 64e6;             // hits on their way to a store
 
 /// While it is filled, and a finished map beside it with its index.
 double texel_bytes(const ShlmMethod& method) {
@@ -24,8 +24,7 @@ double texel_bytes(const ShlmMethod& method) {
 }
 
 double photon_map_bytes_per_hit(const PhotonMapMethod& method) {
-    return photon_bytes +
-           (method.engine == PhotonMapEngine::flann ? flann_bytes : flann_incremental_bytes);
+    return photon_bytes + (method.engine == PhotonMapEngine::flann ? flann_bytes : flann_incremental_bytes);
 }
 
 double gibibytes(std::size_t bytes) {

@@ -57,7 +57,8 @@ class NameParts {
 };
 
 /// The number in `text` between a prefix and a suffix, where that is all there is.
-std::optional<double> number_between(std::string_view prefix, std::string_view text, std::string_view suffix) {
+std::optional<double> number_between(std::string_view prefix, std::string_view text,
+                                     std::string_view suffix) {
     if (!text.starts_with(prefix) || !text.ends_with(suffix) || text.size() <= prefix.size() + suffix.size())
         return std::nullopt;
     const char* const end = text.data() + text.size() - suffix.size();
@@ -143,9 +144,11 @@ photonmap::PhotonSelection take_selection(NameParts& parts) {
         return photonmap::GrowingNumber{*factor};
     if (const auto fraction = number_between("r", part, ""); fraction && *fraction > 0 && *fraction <= 1)
         return photonmap::FixedRadius{*fraction};
-    parts.complain(part, fmt::format("kK with K from 2 to {} (one photon has no density), kCn23 for k = C N^(2/3), or rF for "
-                                     "a radius of F scene diagonals",
-                                     most_neighbours));
+    parts.complain(
+        part,
+        fmt::format("kK with K from 2 to {} (one photon has no density), kCn23 for k = C N^(2/3), or rF for "
+                    "a radius of F scene diagonals",
+                    most_neighbours));
 }
 
 std::string name_of(const photonmap::PhotonSelection& selection) {

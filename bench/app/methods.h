@@ -52,9 +52,12 @@ class PreparedMethods {
 template <int Order, class Work>
 auto with_weight(shlm::ShWeight weight, Work work) {
     switch (weight) {
-        case shlm::ShWeight::flux: return work(shlm::TexelModel<Order, shlm::ShWeight::flux>{});
-        case shlm::ShWeight::normalised: return work(shlm::TexelModel<Order, shlm::ShWeight::normalised>{});
-        case shlm::ShWeight::radiance: break;
+        case shlm::ShWeight::flux:
+            return work(shlm::TexelModel<Order, shlm::ShWeight::flux>{});
+        case shlm::ShWeight::normalised:
+            return work(shlm::TexelModel<Order, shlm::ShWeight::normalised>{});
+        case shlm::ShWeight::radiance:
+            break;
     }
     return work(shlm::TexelModel<Order, shlm::ShWeight::radiance>{});
 }
@@ -63,10 +66,14 @@ auto with_weight(shlm::ShWeight weight, Work work) {
 template <class Work>
 auto with_model(const ShlmMethod& method, Work work) {
     switch (method.order) {
-        case 0: return with_weight<0>(method.weight, work);
-        case 1: return with_weight<1>(method.weight, work);
-        case 4: return with_weight<4>(method.weight, work);
-        default: return with_weight<2>(method.weight, work);
+        case 0:
+            return with_weight<0>(method.weight, work);
+        case 1:
+            return with_weight<1>(method.weight, work);
+        case 4:
+            return with_weight<4>(method.weight, work);
+        default:
+            return with_weight<2>(method.weight, work);
     }
 }
 

@@ -106,7 +106,8 @@ void run(const RenderOptions& options) {
         const common::PhotonSource source(loaded.scene);
         PreparedMethods prepared(loaded, plan.settings);
         const ShlmMethod* light_map = plan.method.light_map();
-        if (light_map) (void)prepared.texels_of(*light_map);  // what cannot be done is said before what is doubtful
+        if (light_map)
+            (void)prepared.texels_of(*light_map);  // what cannot be done is said before what is doubtful
         print_warnings(loaded, prepared, light_map != nullptr);
         const Rendering made = trace_and_gather(plan, loaded, source, prepared);
         stop_if_interrupted();

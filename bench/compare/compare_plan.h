@@ -26,9 +26,9 @@ struct CompareOptions {
 
 struct ComparePlan {
     std::vector<std::string> files;
-    std::vector<std::uint64_t> hits;   ///< ascending, each once
+    std::vector<std::uint64_t> hits;  ///< ascending, each once
     std::vector<Method> methods;
-    std::filesystem::path out;         ///< exists and can be written to
+    std::filesystem::path out;  ///< exists and can be written to
     std::size_t max_bytes;
     std::size_t repetitions;
     double seconds_per_size;  ///< no repetition is begun that would take one scene and size past this

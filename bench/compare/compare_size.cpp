@@ -57,8 +57,8 @@ bool run_once(const ComparePlan& plan, const CompareScene& scene, std::uint64_t 
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::size_t m = (i + repetition) % rows.size();
         if (!rows[m].skipped.empty()) continue;
-        common::Progress progress(fmt::format("{} {} {}", scene.loaded.name, hits, rows[m].method.name), "hits",
-                                  hits);
+        common::Progress progress(fmt::format("{} {} {}", scene.loaded.name, hits, rows[m].method.name),
+                                  "hits", hits);
         measured[m] = measure_method(rows[m].method, scene.prepared, workload(progress));
         if (common::interrupted()) return false;
     }

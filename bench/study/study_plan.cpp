@@ -29,8 +29,9 @@ void StudyOptions::add_to(CLI::App& command) {
         ->delimiter(',')
         ->capture_default_str();
     command
-        .add_option("--references", references,
-                    "Folder with SCENE.exr of each scene, made by shlmbench reference; their size is the study's")
+        .add_option(
+            "--references", references,
+            "Folder with SCENE.exr of each scene, made by shlmbench reference; their size is the study's")
         ->capture_default_str();
     command.add_option("--out", out, "Folder for study.json, raw answers, charts and report")
         ->capture_default_str();
@@ -61,8 +62,9 @@ StudyPlan make_plan(const StudyOptions& options) {
     if (plan.seeds < 1 || plan.seeds > 1000) throw common::InputError("--seeds: from 1 to 1000");
     for (const std::filesystem::path& file : plan.files)
         if (!std::filesystem::is_regular_file(plan.reference_of(file)))
-            throw common::InputError(fmt::format("--references: there is no {}; shlmbench reference {} makes it",
-                                                 plan.reference_of(file).string(), file.string()));
+            throw common::InputError(
+                fmt::format("--references: there is no {}; shlmbench reference {} makes it",
+                            plan.reference_of(file).string(), file.string()));
     prepare_output_folder("--out", plan.out);
     return plan;
 }

@@ -13,14 +13,28 @@ namespace bench {
 struct StudyOptions {
     std::vector<std::string> files;
     std::vector<std::string> hits = {"1e4", "1e5", "1e6", "1e7"};
-    std::vector<std::string> methods = {
-        "shlm/L2/radiance/knn4",         "shlm/L2/radiance/own",          "shlm/L2/radiance/bilinear",
-        "shlm/L2/radiance/knn8",         "shlm/L0/normalised/knn4",       "shlm/L1/radiance/knn4",
-        "shlm/L4/radiance/knn4",         "shlm/L2/flux/knn4",             "shlm/L2/normalised/knn4",
-        "shlm/L2/radiance/knn4/t4096",   "shlm/L2/radiance/knn4/t16384",  "shlm/L2/radiance/knn4/t65536",  "shlm/L2/radiance/knn4/t1048576",
-        "photonmap/flann/k50/disc",      "photonmap/flann/k50/cone",      "photonmap/flann/k50/epanechnikov",
-        "photonmap/flann/k200/disc",     "photonmap/flann/k0.05n23/disc", "photonmap/flann/k0.05n23/epanechnikov",
-        "photonmap/flann/r0.003/disc",   "photonmap/flann/r0.01/disc",    "photonmap/flann/r0.01/epanechnikov"};
+    std::vector<std::string> methods = {"shlm/L2/radiance/knn4",
+                                        "shlm/L2/radiance/own",
+                                        "shlm/L2/radiance/bilinear",
+                                        "shlm/L2/radiance/knn8",
+                                        "shlm/L0/normalised/knn4",
+                                        "shlm/L1/radiance/knn4",
+                                        "shlm/L4/radiance/knn4",
+                                        "shlm/L2/flux/knn4",
+                                        "shlm/L2/normalised/knn4",
+                                        "shlm/L2/radiance/knn4/t4096",
+                                        "shlm/L2/radiance/knn4/t16384",
+                                        "shlm/L2/radiance/knn4/t65536",
+                                        "shlm/L2/radiance/knn4/t1048576",
+                                        "photonmap/flann/k50/disc",
+                                        "photonmap/flann/k50/cone",
+                                        "photonmap/flann/k50/epanechnikov",
+                                        "photonmap/flann/k200/disc",
+                                        "photonmap/flann/k0.05n23/disc",
+                                        "photonmap/flann/k0.05n23/epanechnikov",
+                                        "photonmap/flann/r0.003/disc",
+                                        "photonmap/flann/r0.01/disc",
+                                        "photonmap/flann/r0.01/epanechnikov"};
     std::string references = "results/references";
     std::string out = "results/study";
     std::string max_memory;

@@ -35,8 +35,7 @@ bool same_points(const std::vector<common::VisibleSurface>& seen,
     std::size_t others = 0;
     for (std::size_t i = 0; i < seen.size(); ++i)
         others += seen[i].present != reference[i].present ||
-                  (seen[i].present &&
-                   (seen[i].point.position - reference[i].position).length() > tolerance);
+                  (seen[i].present && (seen[i].point.position - reference[i].position).length() > tolerance);
     return others * 100 <= seen.size();
 }
 

@@ -37,8 +37,7 @@ void finish_store(Sink& sink, const std::vector<Method>& methods, const Prepared
     const auto photons = common::finish_map(std::move(sink), trace);
     const double build_seconds = build.seconds();
     for (const Method& method : methods) {
-        const auto map =
-            photons.with_gather(gather_of(*method.photon_map(), prepared.settings().max_radius));
+        const auto map = photons.with_gather(gather_of(*method.photon_map(), prepared.settings().max_radius));
         StudyMap result = study_map(method, map, build_seconds);
         result.hits_rejected = rejected;
         use(result);

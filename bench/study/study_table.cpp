@@ -29,6 +29,7 @@ StudyTable::StudyTable(const StudyPlan& plan) : file_(plan.out / "study.json") {
     if (!earlier.same_context)
         throw common::InputError(fmt::format(
             "{} is of another build, machine or setting; remove it or give another --out", file_.string()));
+    document_["context"]["date"] = earlier.document["context"]["date"];  // of its first rows
     if (earlier.document.contains("scenes")) document_["scenes"] = earlier.document["scenes"];
     for (const Json& row : earlier.document["rows"])
         if (!row.contains("skipped")) document_["rows"].push_back(row);
@@ -57,9 +58,9 @@ void StudyTable::describe_scene(const std::string& name, const Json& facts) {
     Json& known = document_["scenes"][name];
     for (const char* key : {"fingerprint", "width", "height", "points"})
         if (known.contains(key) && known[key] != facts[key])
-            throw common::InputError(
-                fmt::format("{}: the rows of {} are for another {}: {} there, {} asked for; give another --out",
-                            file_.string(), name, key, known[key].dump(), facts[key].dump()));
+            throw common::InputError(fmt::format(
+                "{}: the rows of {} are for another {}: {} there, {} asked for; give another --out",
+                file_.string(), name, key, known[key].dump(), facts[key].dump()));
     known = facts;
 }
 

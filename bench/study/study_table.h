@@ -25,8 +25,8 @@ class StudyTable {
     [[nodiscard]] bool is_missing_any(const std::string& scene, const std::vector<Method>& methods,
                                       std::uint64_t hits, std::uint64_t seeds) const;
 
-    /// Throws InputError where the scene has rows for other points or another version of it: they cannot stand
-    /// beside each other.
+    /// Throws InputError where the scene has rows for other points or another version of it: they cannot
+    /// stand beside each other.
     void describe_scene(const std::string& name, const nlohmann::ordered_json& facts);
 
     /// Appends the rows and writes the file anew: what is finished survives whatever comes.

@@ -35,7 +35,8 @@ std::vector<std::uint32_t> morton_order(std::span<const Vec3> points) {
     std::vector<CellOfPoint> sorted(points.size());
     tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
         const Vec3 at = (points[i] - bounds.min) * (cells / widest);
-        sorted[i] = {spread(static_cast<std::uint64_t>(at.x)) | spread(static_cast<std::uint64_t>(at.y)) << 1 |
+        sorted[i] = {spread(static_cast<std::uint64_t>(at.x)) |
+                         spread(static_cast<std::uint64_t>(at.y)) << 1 |
                          spread(static_cast<std::uint64_t>(at.z)) << 2,
                      static_cast<std::uint32_t>(i)};
     });

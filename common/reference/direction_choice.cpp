@@ -14,7 +14,7 @@ constexpr double aimed_share = 0.5;
 
 /// The cone in which a sphere is seen.
 struct Cone {
-    V3d axis;             ///< unit
+    V3d axis;              ///< unit
     double one_minus_cos;  ///< of its half angle; 0 where the point lies in the sphere
 
     Cone(const SpecularBounds& bounds, const V3d& from) {
@@ -34,9 +34,9 @@ Vec3 direction_in(const Cone& cone, const std::array<double, 2>& square) {
     const double z = 1 - square[0] * cone.one_minus_cos, r = std::sqrt(std::max(0.0, 1 - z * z));
     const Tangents tangents(cone.axis);
     const double turn = 2 * pi * square[1];
-    return Vec3((tangents.first * (r * std::cos(turn)) + tangents.second * (r * std::sin(turn)) +
-                 cone.axis * z)
-                    .normalized());
+    return Vec3(
+        (tangents.first * (r * std::cos(turn)) + tangents.second * (r * std::sin(turn)) + cone.axis * z)
+            .normalized());
 }
 
 }  // namespace

@@ -42,25 +42,6 @@ inline double variance(const ReferenceSums& sums, std::size_t point, int channel
     return sums.pixel[point][channel].variance().value();
 }
 
-/// Probability that Student's t exceeds `t` to either side (Abramowitz and Stegun, 26.7.4).
-inline double student_tail(double t, int even_degrees_of_freedom) {
-    const double cos_sq = even_degrees_of_freedom / (even_degrees_of_freedom + t * t);
-    double term = 1, sum = 1;
-    for (int i = 2; i < even_degrees_of_freedom; i += 2) sum += term *= cos_sq * (i - 1) / i;
-    return 1 - std::sqrt(1 - cos_sq) * sum;
-}
-
-/// How many estimated standard errors a normal variable is off its mean, to either side, with probability
-/// `alpha`.
-inline double t_for(double alpha, int even_degrees_of_freedom) {
-    double low = 0, high = 1000;
-    for (int step = 0; step < 200; ++step) {
-        const double middle = 0.5 * (low + high);
-        (student_tail(middle, even_degrees_of_freedom) > alpha ? low : high) = middle;
-    }
-    return high;
-}
-
 /// Rays start and end a few millionths of the scene off its surfaces, which steep falloffs multiply.
 inline constexpr double rounding = 1e-4;
 

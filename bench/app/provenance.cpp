@@ -10,15 +10,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
-#include <cstdio>
 #include <ctime>
 #include <fstream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "bench/app/build_info.h"
+#include "bench/app/commit.h"
 #include "common/tracer/embree.h"
 
 namespace bench {
@@ -31,21 +29,6 @@ std::string cpu_name() {
     for (std::string line; std::getline(in, line);)
         if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
     return "unknown";
-}
-
-/// What a command prints on its first line, or "unknown".
-std::string first_line_of(const std::string& command) {
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-    std::array<char, 256> line{};
-    if (!pipe || !std::fgets(line.data(), line.size(), pipe.get())) return "unknown";
-    std::string text(line.data());
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    return text;
-}
-
-std::string commit() {
-    return first_line_of(
-        fmt::format("git -C '{}' describe --always --dirty --abbrev=12 2>/dev/null", source_folder));
 }
 
 std::string utc_text(std::time_t time) {
@@ -78,7 +61,7 @@ Json provenance() {
             {"compiler", build_compiler},
             {"flags", build_flags},
             {"libraries", libraries()},
-            {"commit", commit()},
+            {"commit", build_commit},
             {"built", build_time()},
             {"date", utc_text(std::time(nullptr))}};
 }

@@ -16,7 +16,7 @@ class Interrupted : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// machine, cores, memory_bytes, compiler, flags, libraries, commit, built and date (UTC).
+/// machine, cores, memory_bytes, compiler, flags, libraries, commit (of the build), built and date (UTC).
 [[nodiscard]] nlohmann::ordered_json provenance();
 
 /// The same for an image's header, as shlmbench:KEY.

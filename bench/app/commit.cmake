@@ -1,0 +1,25 @@
+# Writes the commit that is being built, "-dirty" behind it where sources differ from it, into a header:
+# cmake -D SOURCE=FOLDER -D HEADER=FILE -P commit.cmake
+# The header is touched only where that changes. What lies in results/ does not make a program another one.
+execute_process(
+  COMMAND git -C ${SOURCE} rev-parse --short=12 HEAD
+  OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+if(failed)
+  set(commit unknown)
+else()
+  execute_process(
+    COMMAND git -C ${SOURCE} diff --quiet HEAD -- . ":(exclude)results" ERROR_QUIET RESULT_VARIABLE differs)
+  if(differs)
+    string(APPEND commit -dirty)
+  endif()
+endif()
+file(CONFIGURE OUTPUT ${HEADER} CONTENT [[
+// Written by bench/app/commit.cmake.
+#pragma once
+
+namespace bench {
+
+inline constexpr const char* build_commit = "@commit@";
+
+}  // namespace bench
+]] @ONLY)

@@ -30,9 +30,10 @@ struct StudyOptions {
                                         "photonmap/flann/k50/cone",
                                         "photonmap/flann/k50/epanechnikov",
                                         "photonmap/flann/k200/disc",
-                                        "photonmap/flann/k0.05n23/disc",
-                                        "photonmap/flann/k0.05n23/epanechnikov",
+                                        "photonmap/flann/k0.01n23/disc",
+                                        "photonmap/flann/k0.01n23/epanechnikov",
                                         "photonmap/flann/r0.003/disc",
+                                        "photonmap/flann/r0.003/epanechnikov",
                                         "photonmap/flann/r0.01/disc",
                                         "photonmap/flann/r0.01/epanechnikov"};
     std::string references = "results/references";

@@ -23,6 +23,7 @@ class BulkPhotonSink {
     }
 
     [[nodiscard]] const common::RejectedHits& rejected() const { return photons_.rejected(); }
+    [[nodiscard]] std::size_t bytes() const { return photons_.bytes(); }
 
   private:
     const common::Scene* scene_;
@@ -48,6 +49,7 @@ class IncrementalPhotonSink {
     }
 
     [[nodiscard]] const common::RejectedHits& rejected() const { return photons_.rejected(); }
+    [[nodiscard]] std::size_t bytes() const { return photons_.bytes() + index_.bytes(); }
 
   private:
     const common::Scene* scene_;

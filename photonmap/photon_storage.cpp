@@ -41,14 +41,15 @@ void PhotonStorage::append(std::span<const common::HitBatch> wave) {
 }
 
 PhotonStorage PhotonStorage::sorted_along_curve() && {
-    const std::vector<std::uint32_t> order = common::morton_order(positions());
+    const PhotonStorage unsorted = std::move(*this);  // given back on return: an index is built next
+    const std::vector<std::uint32_t> order = common::morton_order(unsorted.positions());
     PhotonStorage sorted;
-    sorted.rejected_ = rejected_;
-    const std::span<common::Vec3> positions = sorted.positions_.grow(size());
-    const std::span<Photon> photons = sorted.photons_.grow(size());
+    sorted.rejected_ = unsorted.rejected_;
+    const std::span<common::Vec3> positions = sorted.positions_.grow(unsorted.size());
+    const std::span<Photon> photons = sorted.photons_.grow(unsorted.size());
     tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t i) {
-        positions[i] = positions_[order[i]];
-        photons[i] = photons_[order[i]];
+        positions[i] = unsorted.positions_[order[i]];
+        photons[i] = unsorted.photons_[order[i]];
     });
     return sorted;
 }

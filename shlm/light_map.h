@@ -34,7 +34,7 @@ class LightMap {
     /// Irradiance for the shading normal, W/m^2: the weighted mean over the texels that the lookup finds.
     /// Never negative. Zero where it finds none.
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const {
-        TexelMean<Model> mean(point.shading_normal, point.geometric_normal);
+        TexelMean<Model> mean(point.shading_normal);
         std::visit(
             [&](const auto& lookup) {
                 lookup.visit(
@@ -55,13 +55,12 @@ class LightMap {
   private:
     static Texel<Model> finished_texel(const TexelSum<Model>& sum, const TexelGeometry& geometry,
                                        float watts_per_flux) {
-        Texel<Model> texel{{geometry.normal, geometry.area}, {}};
         const double scale = geometry.area > 0 ? static_cast<double>(watts_per_flux) / geometry.area : 0;
-        for (std::size_t i = 0; i < Model::stored; ++i)
+        std::array<common::Rgb, Model::summed> mean;
+        for (std::size_t i = 0; i < Model::summed; ++i)
             for (std::size_t c = 0; c < 3; ++c)
-                texel.light[i][static_cast<int>(c)] =
-                    static_cast<float>(sum.value[3 * i + c] * scale * Model::finishing_factor(i));
-        return texel;
+                mean[i][static_cast<int>(c)] = static_cast<float>(sum.value[3 * i + c] * scale);
+        return {{geometry.normal, geometry.area}, finished_light<Model>(mean, geometry.normal)};
     }
 
     [[nodiscard]] std::vector<Texel<Model>> finished_texels(const TexelSums<Model>& sums,

@@ -31,6 +31,7 @@ class Sink {
             if (texels_->geometry[i].area == 0) rejected.outside_texels += accumulator_.sums()[i].hits;
         return rejected;
     }
+    [[nodiscard]] std::size_t bytes() const { return accumulator_.bytes(); }
     [[nodiscard]] const Accumulator<Model>& accumulator() const { return accumulator_; }
 
   private:

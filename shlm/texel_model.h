@@ -14,37 +14,39 @@ struct TexelModel {
     static constexpr int order = Order;
     static constexpr ShWeight weight = Weight;
 
-    static constexpr bool keeps_surface_irradiance = Weight == ShWeight::normalised;
+    /// What a finished texel holds, per channel.
+    static constexpr std::size_t harmonics = harmonic_count(Order);
+
+    static constexpr bool sums_surface_irradiance = Weight == ShWeight::normalised;
     /// Of a flat shape the surface's irradiance is all there is to know.
-    static constexpr std::size_t harmonics =
-        keeps_surface_irradiance && Order == 0 ? 0 : harmonic_count(Order);
-    /// Numbers per texel and channel: the harmonics' coefficients, then the surface's irradiance where it is
-    /// kept.
-    static constexpr std::size_t stored = harmonics + keeps_surface_irradiance;
+    static constexpr std::size_t summed_harmonics = sums_surface_irradiance && Order == 0 ? 0 : harmonics;
+    /// Numbers summed per texel and channel: the harmonics' coefficients, then the surface's irradiance where
+    /// the shape is scaled to it.
+    static constexpr std::size_t summed = summed_harmonics + sums_surface_irradiance;
 
-    using Values = std::array<float, stored>;
+    using Values = std::array<float, summed>;
 
-    /// What a hit of 1 W on 1 m^2 adds to the stored numbers. `inverse_cosine`: of incidence, clamped.
+    /// What a hit of 1 W on 1 m^2 adds to the sums. `inverse_cosine`: of incidence, clamped.
     [[nodiscard]] static Values of_hit(const common::Vec3& towards_light, float inverse_cosine) {
         Values values;
-        if constexpr (harmonics > 0) {
+        if constexpr (summed_harmonics > 0) {
             const ShValues<Order> y = evaluate_sh<Order>(towards_light);
             const float scale = Weight == ShWeight::flux ? 1.0f : inverse_cosine;
             for (std::size_t i = 0; i < harmonics; ++i) values[i] = y[i] * scale;
         }
-        if constexpr (keeps_surface_irradiance) values[harmonics] = 1;
+        if constexpr (sums_surface_irradiance) values[summed_harmonics] = 1;
         return values;
     }
 
-    /// Turns a stored sum into what a finished texel holds: coefficients of irradiance by normal.
-    [[nodiscard]] static constexpr float finishing_factor(std::size_t stored_index) {
-        return stored_index < harmonics ? cosine_factors<Order>[stored_index] : 1.0f;
+    /// From a summed coefficient of radiance to one of irradiance by normal.
+    [[nodiscard]] static constexpr float finishing_factor(std::size_t harmonic) {
+        return cosine_factors<Order>[harmonic];
     }
 };
 
-/// Numbers of one finished texel: W/m^2 per harmonic, then W/m^2 on the surface where that is kept.
+/// Numbers of one finished texel, W/m^2: coefficients of irradiance by normal.
 template <class Model>
-using TexelLight = std::array<common::Rgb, Model::stored>;
+using TexelLight = std::array<common::Rgb, Model::harmonics>;
 
 /// The truncated series at `normal`, W/m^2; may be negative.
 template <class Model>
@@ -54,51 +56,55 @@ template <class Model>
     return sum;
 }
 
-/// The weighted mean of some texels' irradiance at one point.
+/// Turns what a texel has summed into what it holds when finished. `mean` is the sums over area and photons,
+/// W/m^2; `normal` the face's.
+template <class Model>
+[[nodiscard]] TexelLight<Model> finished_light(const std::array<common::Rgb, Model::summed>& mean,
+                                               const common::Vec3& normal) {
+    TexelLight<Model> light;
+    light.fill(common::Rgb(0, 0, 0));
+    for (std::size_t i = 0; i < Model::summed_harmonics; ++i) light[i] = mean[i] * Model::finishing_factor(i);
+    if constexpr (Model::sums_surface_irradiance) {
+        // Here and not where texels are gathered: the ratio is near the truth at the texel's own face, where
+        // light from above leaves no series below zero, and may be anything at a neighbour's.
+        const ShValues<Model::order> y = evaluate_sh<Model::order>(normal);
+        const common::Rgb series = evaluate_series<Model>(light, y), surface = mean[Model::summed_harmonics];
+        for (int c = 0; c < 3; ++c) {
+            for (common::Rgb& coefficient : light)
+                coefficient[c] = series[c] > 0 ? coefficient[c] * (surface[c] / series[c]) : 0;
+            if (!(series[c] > 0)) light[0][c] = surface[c] / y[0];  // no shape: the same for all normals
+        }
+    }
+    return light;
+}
+
+/// The weighted mean of some texels' irradiance for one normal.
 template <class Model>
 class TexelMean {
   public:
-    /// All texels are asked for the same normals: one evaluation of the harmonics serves them.
-    TexelMean(const common::Vec3& shading_normal, const common::Vec3& geometric_normal)
-        : at_shading_normal_(evaluate_sh<Model::order>(shading_normal)),
-          at_geometric_normal_(evaluate_sh<Model::order>(geometric_normal)) {}
+    /// All texels are asked for the same normal: one evaluation of the harmonics serves them.
+    explicit TexelMean(const common::Vec3& shading_normal) : y_(evaluate_sh<Model::order>(shading_normal)) {}
 
     void add(const TexelLight<Model>& light, float weight) {
         weight_ += weight;
-        shading_ += evaluate_series<Model>(light, at_shading_normal_) * weight;
-        if constexpr (Model::keeps_surface_irradiance) {
-            geometric_ += evaluate_series<Model>(light, at_geometric_normal_) * weight;
-            surface_ += light[Model::harmonics] * weight;
-        }
+        sum_ += evaluate_series<Model>(light, y_) * weight;
     }
 
     /// Never negative: what the truncated series takes below zero is cut off. Zero where nothing was added.
     [[nodiscard]] common::Rgb irradiance() const {
         common::Rgb result(0, 0, 0);
         if (weight_ == 0) return result;
-        for (int c = 0; c < 3; ++c) result[c] = std::max(channel(c), 0.0f) / weight_;
+        for (int c = 0; c < 3; ++c) result[c] = std::max(sum_[c], 0.0f) / weight_;
         return result;
     }
 
     /// The same before anything is cut off.
-    [[nodiscard]] common::Rgb series() const {
-        common::Rgb result(0, 0, 0);
-        if (weight_ == 0) return result;
-        for (int c = 0; c < 3; ++c) result[c] = channel(c) / weight_;
-        return result;
-    }
+    [[nodiscard]] common::Rgb series() const { return weight_ == 0 ? common::Rgb(0, 0, 0) : sum_ / weight_; }
 
   private:
-    [[nodiscard]] float channel(int c) const {
-        if constexpr (!Model::keeps_surface_irradiance) return shading_[c];
-        if constexpr (Model::harmonics == 0) return surface_[c];
-        // Light from above the surface gives a series that is positive there.
-        return geometric_[c] > 0 ? surface_[c] * (shading_[c] / geometric_[c]) : surface_[c];
-    }
-
-    ShValues<Model::order> at_shading_normal_, at_geometric_normal_;
+    ShValues<Model::order> y_;
     float weight_ = 0;
-    common::Rgb shading_{0, 0, 0}, geometric_{0, 0, 0}, surface_{0, 0, 0};
+    common::Rgb sum_{0, 0, 0};
 };
 
 }  // namespace shlm

@@ -13,7 +13,7 @@ namespace shlm {
 template <class Model>
 struct TexelSum {
     /// Channel c of number i at [3 i + c]; W times the number of photons emitted.
-    std::array<double, 3 * Model::stored> value{};
+    std::array<double, 3 * Model::summed> value{};
     std::uint64_t hits = 0;
 };
 
@@ -38,8 +38,8 @@ class TexelSums {
              const common::Rgb& flux) {
         RecentSum& sum = recent_[texel];
         const auto values = Model::of_hit(towards_light, inverse_cosine);
-        std::array<float, 3 * Model::stored> product;
-        for (std::size_t i = 0; i < Model::stored; ++i)
+        std::array<float, 3 * Model::summed> product;
+        for (std::size_t i = 0; i < Model::summed; ++i)
             for (int c = 0; c < 3; ++c) product[3 * i + c] = values[i] * flux[c];
         for (std::size_t k = 0; k < product.size(); ++k) sum.value[k] += product[k];
         if (++sum.hits % hits_per_drain == 0) drain(texel);
@@ -62,10 +62,10 @@ class TexelSums {
   private:
     static constexpr std::uint64_t hits_per_drain = 32;
 
-    using DrainedSum = std::array<double, 3 * Model::stored>;
+    using DrainedSum = std::array<double, 3 * Model::summed>;
 
     struct alignas(64) RecentSum {
-        std::array<float, 3 * Model::stored> value{};
+        std::array<float, 3 * Model::summed> value{};
         std::uint64_t hits = 0;  ///< all of them, drained ones included
     };
 

@@ -1,4 +1,5 @@
 // The pieces that the reference is made of, each by itself.
+#include "common/reference/direction_choice.h"
 #include "common/reference/directions.h"
 #include "common/reference/expected_light.h"
 #include "common/reference/light_sample.h"
@@ -155,6 +156,32 @@ TEST(ReferenceDirections, DiscKeepsTheMiddleAndReachesTheRim) {
 }
 
 // --- running mean
+
+TEST(ReferenceDirections, AimedOnesKnowTheirDensity) {
+    const Vec3 axis = Vec3(1, 2, 4).normalized();
+    const Receiver receiver{Vec3(0.1f, -0.3f, 0.2f), Vec3(0, 0, 1), Vec3(0, 0, 1)};
+    for (const double radius : {0.5, 0.1, 1e-2, 1e-3, 1e-4}) {  // at a distance of 1
+        const std::vector<SpecularBounds> bounds = {{Imath::V3d(receiver.origin) + Imath::V3d(axis), radius}};
+        const DirectionChoice choice(bounds, receiver);
+        const double least_inside = choice.density(axis) * 0.9;  // the cosine's part varies across the cone
+        RandomStream stream(1, 0, 0, 0);
+        std::uint64_t outside = 0;
+        Sample cosine_over_density;
+        constexpr std::uint64_t aimed = draws / 2;
+        for (std::uint64_t i = 0; i < draws; ++i) {
+            // The first half of the square is aimed.
+            const double first = i < aimed ? 0.5 * stream.next() : 0.5 + 0.5 * stream.next();
+            const Vec3 towards = choice.choose({first, stream.next()});
+            const double density = choice.density(towards);
+            outside += i < aimed && density < least_inside;
+            cosine_over_density.add(std::max(0.0f, towards.z) / pi / density);
+        }
+        // Floats round the outermost ones out of the smallest cones.
+        EXPECT_LE(static_cast<double>(outside), 1e-2 * static_cast<double>(aimed)) << "radius " << radius;
+        EXPECT_NEAR(cosine_over_density.mean(), 1, 5 * cosine_over_density.standard_error())
+            << "radius " << radius;
+    }
+}
 
 TEST(ReferenceMean, IsThatOfTheValues) {
     std::mt19937 engine(1);

@@ -417,7 +417,7 @@ TEST_F(Study, RefusesAFolderOfOtherSettings) {
         other.more.insert(other.more.end(), more.begin(), more.end());
         return other;
     };
-    const Words fragments = {"out/study.json", "another build, machine or setting", "--out"};
+    const Words fragments = {"out/study.json", "another build, machine or setting", "--anew", "--out"};
     Request other = request;
     other.texels = "512";
     expect_refusal(other, fragments);
@@ -433,6 +433,13 @@ TEST_F(Study, RefusesAFolderOfOtherSettings) {
     table["context"]["built"] = "1970-01-01T00:00:00Z";
     std::ofstream(path("out/study.json")) << table.dump();
     expect_refusal(request, fragments);
+    // Told to, it begins again.
+    const std::size_t rows = table["rows"].size();
+    table["rows"][0]["hits"] = 1;
+    std::ofstream(path("out/study.json")) << table.dump();
+    (void)study(with({"--anew"}));
+    EXPECT_EQ(table_of(path("out"))["rows"].size(), rows);
+    EXPECT_NE(table_of(path("out"))["rows"][0]["hits"], 1);
 }
 
 TEST_F(Study, RefusesToMixPoints) {

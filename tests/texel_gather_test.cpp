@@ -133,7 +133,6 @@ TEST(OwnTexel, AnswersWithItsValue) {
     for_points_of_square([&](float s, float t) {
         const auto texel = static_cast<std::uint32_t>(t * 8) * 8 + static_cast<std::uint32_t>(s * 8);
         const Rgb answer = map.irradiance(front_of(scene, on_quad(0, s, t)));
-        ASSERT_EQ(answer, map.texels()[texel].light[0]) << "to the bit";
         for (int c = 0; c < 3; ++c)
             ASSERT_FLOAT_EQ(answer[c], static_cast<float>((c + 1) * odd_value(texel)));
     });
@@ -150,7 +149,7 @@ TEST(OwnTexel, HoldsTheTexelsOfTheLayoutAndTheLayout) {
         ASSERT_EQ(small.texels().size(), count);
         EXPECT_EQ(small.bytes(), count * sizeof(small.texels()[0]) + texels.layout.bytes());
         EXPECT_EQ(large.bytes(), count * sizeof(large.texels()[0]) + texels.layout.bytes());
-        EXPECT_EQ(sizeof(large.texels()[0]) - sizeof(small.texels()[0]), 18 * sizeof(Rgb));
+        EXPECT_EQ(sizeof(large.texels()[0]) - sizeof(small.texels()[0]), 17 * sizeof(Rgb));
         EXPECT_GE(texels.layout.bytes(), scene.triangle.size() * sizeof(shlm::TriangleTexels) +
                                              scene.instance.size() * sizeof(shlm::TexelRegion));
     }

@@ -142,12 +142,12 @@ photonmap::PhotonSelection take_selection(NameParts& parts) {
         return photonmap::NearestPhotons{*count};
     if (const auto factor = number_between("k", part, "n23"); factor && *factor > 0 && *factor <= 1)
         return photonmap::GrowingNumber{*factor};
-    if (const auto fraction = number_between("r", part, ""); fraction && *fraction > 0 && *fraction <= 1)
+    if (const auto fraction = number_between("r", part, ""); fraction && *fraction >= 1e-6 && *fraction <= 1)
         return photonmap::FixedRadius{*fraction};
     parts.complain(
         part,
         fmt::format("kK with K from 2 to {} (one photon has no density), kCn23 for k = C N^(2/3), or rF for "
-                    "a radius of F scene diagonals",
+                    "a radius of F scene diagonals, from 1e-6 to 1",
                     most_neighbours));
 }
 
@@ -155,8 +155,8 @@ std::string name_of(const photonmap::PhotonSelection& selection) {
     if (const auto* nearest = std::get_if<photonmap::NearestPhotons>(&selection))
         return fmt::format("k{}", nearest->count);
     if (const auto* growing = std::get_if<photonmap::GrowingNumber>(&selection))
-        return fmt::format("k{:g}n23", growing->factor);
-    return fmt::format("r{:g}", std::get<photonmap::FixedRadius>(selection).diagonal_fraction);
+        return fmt::format("k{}n23", growing->factor);
+    return fmt::format("r{}", std::get<photonmap::FixedRadius>(selection).diagonal_fraction);
 }
 
 std::string name_of(const PhotonMapMethod& method) {

@@ -13,7 +13,9 @@ void MethodOptions::add_to(CLI::App& command) {
 }
 
 MethodSettings MethodOptions::settings() const {
-    if (!(max_radius >= 0 && max_radius <= 1e9)) throw common::InputError("--max-radius: from 0 to 1e9");
+    // The square of a smaller one is nothing in float.
+    if (max_radius != 0 && !(max_radius >= 1e-15 && max_radius <= 1e9))
+        throw common::InputError("--max-radius: 0, or from 1e-15 to 1e9");
     return {parse_count("--texels", texels), static_cast<float>(max_radius)};
 }
 

@@ -76,7 +76,7 @@ std::map<std::string, std::string> provenance_notes() {
 
 std::string describe(const MethodSettings& settings) {
     return fmt::format("texels={} max-radius={}", settings.texels,
-                       settings.max_radius == 0 ? "auto" : fmt::format("{:g}", settings.max_radius));
+                       settings.max_radius == 0 ? "auto" : fmt::format("{}", settings.max_radius));
 }
 
 void print_warnings(const LoadedScene& scene, const PreparedMethods& prepared, bool about_lightmap) {

@@ -6,7 +6,7 @@ namespace {
 template <int Order, shlm::ShWeight Weight>
 Basis basis(const std::string& name) {
     using Model = shlm::TexelModel<Order, Weight>;
-    return {name, Model::stored, &ask<Model>};
+    return {name, Model::harmonics, &ask<Model>};
 }
 
 }  // namespace

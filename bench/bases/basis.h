@@ -24,7 +24,7 @@ template <class Model>
     BasisAnswers answers;
     for (const common::Vec3& normal : normals) {
         const common::SurfacePoint point = texel.point_with(normal);
-        shlm::TexelMean<Model> mean(point.shading_normal, point.geometric_normal);
+        shlm::TexelMean<Model> mean(point.shading_normal);
         mean.add(map.texels().front().light, 1);
         answers.series.push_back(mean.series().x);
         answers.answered.push_back(map.irradiance(point).x);

@@ -23,23 +23,14 @@ double gather_all(const Map& map, std::span<const common::SurfacePoint> points) 
     return sum;
 }
 
-template <class Model>
-std::size_t insert_bytes(const shlm::Sink<Model>& sink) {
-    return sink.accumulator().bytes();
-}
-
 template <class Sink>
-std::size_t insert_bytes(const Sink&) {
-    return 0;
-}
-
-template <class Sink>
-Measurement measure(Sink sink, const Workload& w) {
+Measurement measure(Sink sink, double making_room_seconds, const Workload& w) {
     Measurement m;
+    m.making_room_seconds = making_room_seconds;
     m.trace = trace_into(sink, w);
     if (m.trace.interrupted) return m;
     m.rejected = sink.rejected();
-    m.insert_bytes = insert_bytes(sink);
+    m.insert_bytes = sink.bytes();
 
     const Stopwatch build;
     const auto map = common::finish_map(std::move(sink), m.trace);
@@ -60,8 +51,11 @@ Measurement measure(Sink sink, const Workload& w) {
 }  // namespace
 
 Measurement measure_method(const Method& method, PreparedMethods& prepared, const Workload& workload) {
+    if (method.light_map()) (void)prepared.texels_of(*method.light_map());  // the scene's, not the run's
     common::reset_peak_resident_bytes();
-    return with_sink(method, prepared, [&](auto sink) { return measure(std::move(sink), workload); });
+    const Stopwatch making_room;
+    return with_sink(method, prepared,
+                     [&](auto sink) { return measure(std::move(sink), making_room.seconds(), workload); });
 }
 
 common::TraceReport measure_null_sink(const Workload& workload) {

@@ -13,12 +13,13 @@ namespace bench {
 
 /// What a run took and kept. Times are wall seconds.
 struct Measurement {
+    double making_room_seconds = 0;  ///< for an empty store: a light map's sums are there from the start
     common::TraceReport trace;
     double build_seconds = 0;
     double gather_seconds = 0;  ///< all query points, image order, one thread
     double gather_shuffled_seconds = 0;
     std::size_t bytes = 0;         ///< finished map with its index
-    std::size_t insert_bytes = 0;  ///< the store while it takes hits; 0: the same as `bytes`
+    std::size_t insert_bytes = 0;  ///< the store while it took hits
     std::size_t peak_resident_bytes = 0;
     common::RejectedHits rejected;
     double mean_irradiance = 0;  ///< over the query points and channels, W/m^2: are the answers alike?

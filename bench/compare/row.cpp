@@ -35,6 +35,7 @@ void add_times(Json& row, const RowInput& in) {
     const auto queries = static_cast<double>(in.queries);
     add_timing(row, "trace_seconds",
                each(in.null_sink, [](const auto& t) { return t.trace_seconds + t.sink_seconds; }));
+    add_timing(row, "making_room_seconds", each(m, [](const auto& x) { return x.making_room_seconds; }));
     add_timing(row, "trace_and_insert_seconds",
                each(m, [](const auto& x) { return x.trace.trace_seconds + x.trace.sink_seconds; }));
     std::vector<double> ratios;
@@ -83,7 +84,7 @@ Json make_row(const RowInput& in) {
     }
     add_times(row, in);
     row["bytes"] = first.bytes;
-    row["insert_bytes"] = first.insert_bytes > 0 ? first.insert_bytes : first.bytes;
+    row["insert_bytes"] = first.insert_bytes;
     row["peak_rss_bytes"] = static_cast<std::size_t>(median(
         each(in.measurements, [](const auto& x) { return static_cast<double>(x.peak_resident_bytes); })));
     row["mean_irradiance"] = first.mean_irradiance;

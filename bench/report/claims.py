@@ -5,7 +5,7 @@ what was measured. Times are compared by medians; a difference counts only where
 not touch.
 """
 
-from comparison import INCREMENTAL, LIGHT_MAP, PHOTON_MAP, count_text, map_seconds
+from comparison import INCREMENTAL, LIGHT_MAP, MAP_COLUMNS, PHOTON_MAP, count_text, map_seconds
 from finding import Finding, not_measured
 from study_claims import CONVERGES, NORMAL_MAPS, accuracy_crossings, converges, normal_maps
 
@@ -62,9 +62,6 @@ def hits_range(rows):
     return f"{count_text(min(r['hits_asked'] for r in rows))} to {count_text(max(r['hits_asked'] for r in rows))} hits"
 
 
-MAP_COLUMNS = ("trace_and_insert_seconds", "build_seconds")
-
-
 def against(comparison, other):
     """How the light map's time to a finished map compares: text, and the outcomes by number of hits."""
     outcomes, texts = [], []
@@ -101,7 +98,7 @@ def tracing_speed(comparison):
     def clause(name, v, condition):
         return f"against {name}: {v}" + (f" ({condition})" if condition else "")
     return Finding("tracing-speed", says, verdict,
-                   f"Time to a finished map (trace, insert, build), photon map over SHLM. "
+                   f"Time to a finished map (an empty store, trace, insert, build), photon map over SHLM. "
                    f"{clause('insertion into a tree, as the paper words it', first, first_condition)}: {incremental_text}. "
                    f"{clause('appending and building the tree once', second, second_condition)}: {bulk_text}.")
 

@@ -39,6 +39,8 @@ void StudyOptions::add_to(CLI::App& command) {
                        "Methods that would need more are not started; default: 9/10 of what is free");
     command.add_option("--seeds", seeds, "Independent runs of each size: seeds 1 to this")
         ->capture_default_str();
+    command.add_flag("--anew", anew,
+                     "Begin again where the folder's rows are of another build, machine or setting");
     command.add_option("--threads", threads, "0: all")->capture_default_str();
     scene.add_to(command);
     method_options.add_to(command);
@@ -54,6 +56,7 @@ StudyPlan make_plan(const StudyOptions& options) {
         .max_bytes = options.max_memory.empty() ? default_max_bytes()
                                                 : parse_bytes("--max-memory", options.max_memory),
         .seeds = options.seeds,
+        .anew = options.anew,
         .scene = options.scene,
         .settings = options.method_options.settings(),
         .threads = RunOptions{.threads = options.threads}.thread_count(),

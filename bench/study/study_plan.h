@@ -40,6 +40,7 @@ struct StudyOptions {
     std::string out = "results/study";
     std::string max_memory;
     std::size_t seeds = 8;
+    bool anew = false;
     SceneOptions scene;
     MethodOptions method_options;
     int threads = 0;
@@ -55,6 +56,7 @@ struct StudyPlan {
     std::filesystem::path out;  ///< exists and can be written to
     std::size_t max_bytes;
     std::uint64_t seeds;  ///< 1 to this
+    bool anew;            ///< begin again where the folder's rows are of another build, machine or setting
     SceneOptions scene;
     MethodSettings settings;
     int threads;

@@ -29,14 +29,11 @@ float degrees_between(const common::Vec3& a, const common::Vec3& b) {
     return std::acos(std::clamp(a.dot(b), -1.0f, 1.0f)) * 180 / std::numbers::pi_v<float>;
 }
 
-/// Whether the reference looks at the same points. Rounding may send a ray past an edge now and then.
-bool same_points(const std::vector<common::VisibleSurface>& seen,
-                 const std::vector<common::reference::ReferencePoint>& reference, float tolerance) {
-    std::size_t others = 0;
-    for (std::size_t i = 0; i < seen.size(); ++i)
-        others += seen[i].present != reference[i].present ||
-                  (seen[i].present && (seen[i].point.position - reference[i].position).length() > tolerance);
-    return others * 100 <= seen.size();
+/// Whether the reference looks at the same point. Rounding may send a ray past an edge now and then.
+bool is_same(const common::VisibleSurface& seen, const common::reference::ReferencePoint& reference,
+             float tolerance) {
+    return seen.present == reference.present &&
+           (!seen.present || (seen.point.position - reference.position).length() <= tolerance);
 }
 
 }  // namespace
@@ -67,7 +64,10 @@ StudyScene::StudyScene(const fs::path& file, const StudyPlan& plan)
     width_ = reference.width;
     height_ = reference.height;
     const auto seen = common::visible_surfaces(loaded_.rays, loaded_.camera, width_, height_);
-    if (!same_points(seen, reference.pixel, 1e-4f * loaded_.scene.diagonal()))
+    const float tolerance = 1e-4f * loaded_.scene.diagonal();
+    for (std::size_t p = 0; p < seen.size(); ++p)
+        pixels_elsewhere_ += !is_same(seen[p], reference.pixel[p], tolerance);
+    if (pixels_elsewhere_ * 100 > seen.size())
         throw common::InputError(fmt::format("{}: looks at other points than {}: another scene or camera",
                                              reference_file.string(), file.string()));
     const auto note = reference.notes.find("shlmbench:fingerprint");
@@ -75,7 +75,7 @@ StudyScene::StudyScene(const fs::path& file, const StudyPlan& plan)
         fmt::print(stderr, "{}: warning: {} was made from another version of the scene\n", name(),
                    reference_file.string());
     for (std::uint32_t p = 0; p < seen.size(); ++p) {
-        if (!seen[p].present || !reference.pixel[p].present) continue;
+        if (!seen[p].present || !is_same(seen[p], reference.pixel[p], tolerance)) continue;
         points_.push_back(seen[p].point);
         pixel_.push_back(p);
         truth_.push_back(reference.pixel[p].irradiance);
@@ -119,6 +119,7 @@ nlohmann::ordered_json StudyScene::facts() const {
     return {{"file", loaded_.scene.source},
             {"fingerprint", common::fingerprint(loaded_.scene)},
             {"points", points_.size()},
+            {"pixels_left_out", pixels_elsewhere_},
             {"width", width_},
             {"height", height_},
             {"raw", "raw/" + name()},

@@ -49,7 +49,8 @@ class StudyScene {
     common::PhotonSource source_;
     PreparedMethods prepared_;
     int width_ = 0, height_ = 0;
-    double reference_error_ = 0;  ///< relative, as shlmbench reference has it
+    std::size_t pixels_elsewhere_ = 0;  ///< where the reference looks at another point
+    double reference_error_ = 0;        ///< relative, as shlmbench reference has it
     std::vector<common::SurfacePoint> points_;
     std::vector<std::uint32_t> pixel_;  ///< of each point
     std::vector<common::Rgb> truth_, variance_;

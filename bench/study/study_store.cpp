@@ -10,8 +10,7 @@ StudyMap study_map(const Method& method, const Map& map, double build_seconds) {
     return {.method = method,
             .irradiance = [&map](const common::SurfacePoint& point) { return map.irradiance(point); },
             .build_seconds = build_seconds,
-            .bytes = map.bytes(),
-            .insert_bytes = map.bytes()};
+            .bytes = map.bytes()};
 }
 
 template <class Model>
@@ -21,7 +20,7 @@ void finish_store(shlm::Sink<Model>& sink, const std::vector<Method>& methods, c
         const Stopwatch build;
         const auto map = sink.finish(trace.watts_per_flux(), method.light_map()->gather);
         StudyMap result = study_map(method, map, build.seconds());
-        result.insert_bytes = sink.accumulator().bytes();
+        result.insert_bytes = sink.bytes();
         result.hits_rejected = sink.rejected().total();
         result.clamped_share = sink.accumulator().clamped().discarded_share();
         use(result);
@@ -33,6 +32,7 @@ template <class Sink>
 void finish_store(Sink& sink, const std::vector<Method>& methods, const PreparedMethods& prepared,
                   const common::TraceReport& trace, const UseMap& use) {
     const std::uint64_t rejected = sink.rejected().total();
+    const std::size_t insert_bytes = sink.bytes();
     const Stopwatch build;
     const auto photons = common::finish_map(std::move(sink), trace);
     const double build_seconds = build.seconds();
@@ -40,6 +40,7 @@ void finish_store(Sink& sink, const std::vector<Method>& methods, const Prepared
         const auto map = photons.with_gather(gather_of(*method.photon_map(), prepared.settings().max_radius));
         StudyMap result = study_map(method, map, build_seconds);
         result.hits_rejected = rejected;
+        result.insert_bytes = insert_bytes;
         use(result);
     }
 }

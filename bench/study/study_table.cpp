@@ -26,9 +26,12 @@ StudyTable::StudyTable(const StudyPlan& plan) : file_(plan.out / "study.json") {
     document_ = {{"context", context_of(plan)}, {"scenes", Json::object()}, {"rows", Json::array()}};
     const EarlierRows earlier = read_earlier_rows(file_, document_["context"]);
     if (!earlier.found) return;
+    if (!earlier.same_context && plan.anew) return;
     if (!earlier.same_context)
-        throw common::InputError(fmt::format(
-            "{} is of another build, machine or setting; remove it or give another --out", file_.string()));
+        throw common::InputError(
+            fmt::format("{} is of another build, machine or setting; --anew begins again in its "
+                        "place, or give another --out",
+                        file_.string()));
     document_["context"]["date"] = earlier.document["context"]["date"];  // of its first rows
     if (earlier.document.contains("scenes")) document_["scenes"] = earlier.document["scenes"];
     for (const Json& row : earlier.document["rows"])

@@ -69,12 +69,13 @@ Vec3 DirectionChoice::choose(const std::array<double, 2>& square) const {
 double DirectionChoice::density(const Vec3& towards) const {
     const double by_cosine = cosine_density(receiver_, towards);
     if (bounds_.empty()) return by_cosine;
+    const V3d unit = V3d(towards).normalized();  // floats are not: a small cone would miss its own directions
     double aimed = 0;
     for (const SpecularBounds& bounds : bounds_) {
         const Cone cone(bounds, V3d(receiver_.origin));
         if (cone.one_minus_cos == 0)
             aimed += by_cosine;
-        else if (1 - cone.axis.dot(V3d(towards)) < cone.one_minus_cos)
+        else if (1 - cone.axis.dot(unit) < cone.one_minus_cos)
             aimed += 1 / (2 * pi * cone.one_minus_cos);
     }
     return (1 - aimed_share) * by_cosine + aimed_share * aimed / static_cast<double>(bounds_.size());

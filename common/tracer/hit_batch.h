@@ -62,10 +62,12 @@ concept PhotonSink = requires(S& sink, std::span<const HitBatch> wave) {
     { sink.consume(wave) } -> std::same_as<void>;
 };
 
-/// A sink that becomes a map which can be asked for irradiance. `watts_per_flux` turns HitBatch::flux into W.
+/// A sink that becomes a map which can be asked for irradiance. `watts_per_flux` turns HitBatch::flux into W;
+/// `bytes` is what it holds while it takes hits.
 template <class S>
 concept MapSink = PhotonSink<S> && requires(S sink, float watts_per_flux) {
     std::move(sink).finish(watts_per_flux);
+    { sink.bytes() } -> std::same_as<std::size_t>;
 };
 
 }  // namespace common

@@ -56,6 +56,15 @@ template <class Model>
     return sum;
 }
 
+/// Largest ratio of a surface's irradiance to its truncated series, for light from above: of x to the
+/// kernel's order 1, 1/4 + x/2, order 2, (3 + 16 x + 15 x^2) / 32, and order 4, 3 (35 x^4 - 30 x^2 + 3) / 256
+/// less. Only a texel that is bent can have more: some of its light comes from below its mean normal, where
+/// the kernel has zeros.
+template <int Order>
+inline constexpr float largest_surface_share = Order == 1   ? 4.0f / 3
+                                               : Order == 2 ? 1.087829f
+                                                            : 1.075401f;
+
 /// Turns what a texel has summed into what it holds when finished. `mean` is the sums over area and photons,
 /// W/m^2; `normal` the face's.
 template <class Model>
@@ -65,14 +74,14 @@ template <class Model>
     light.fill(common::Rgb(0, 0, 0));
     for (std::size_t i = 0; i < Model::summed_harmonics; ++i) light[i] = mean[i] * Model::finishing_factor(i);
     if constexpr (Model::sums_surface_irradiance) {
-        // Here and not where texels are gathered: the ratio is near the truth at the texel's own face, where
-        // light from above leaves no series below zero, and may be anything at a neighbour's.
+        // Here and not where texels are gathered: a ratio taken at a neighbour's face knows no bound.
         const ShValues<Model::order> y = evaluate_sh<Model::order>(normal);
         const common::Rgb series = evaluate_series<Model>(light, y), surface = mean[Model::summed_harmonics];
         for (int c = 0; c < 3; ++c) {
-            for (common::Rgb& coefficient : light)
-                coefficient[c] = series[c] > 0 ? coefficient[c] * (surface[c] / series[c]) : 0;
-            if (!(series[c] > 0)) light[0][c] = surface[c] / y[0];  // no shape: the same for all normals
+            const float ratio =
+                series[c] > 0 ? std::min(surface[c] / series[c], largest_surface_share<Model::order>) : 0;
+            for (common::Rgb& coefficient : light) coefficient[c] *= ratio;
+            if (ratio == 0) light[0][c] = surface[c] / y[0];  // no shape: the same for all normals
         }
     }
     return light;

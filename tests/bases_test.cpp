@@ -256,6 +256,43 @@ void expect_means(LightKind kind, const std::string& basis, double mean) {
 
 const Words derived_bases = {"L0/normalised", "L1/radiance", "L2/radiance", "L4/radiance"};
 
+/// Mean and worst error in % over point lights more than 10 degrees above the horizon, from the truncated
+/// kernel alone: no light map, no harmonics.
+Bounds point_light_quadrature(int order) {
+    constexpr int lights = 400, heights = 60, turns = 120;
+    const double horizon = std::sin(10 * pi / 180);
+    double mean = 0, worst = 0;
+    for (int l = 0; l < lights; ++l) {
+        const double light_z = horizon + (1 - horizon) * (l + 0.5) / lights;
+        double squares = 0, truth = 0;
+        for (int h = 0; h < heights; ++h)
+            for (int t = 0; t < turns; ++t) {
+                const double z = 0.5 + 0.5 * (h + 0.5) / heights;  // within 60 degrees
+                const double x = light_z * z + std::sqrt((1 - light_z * light_z) * (1 - z * z)) *
+                                                   std::cos(2 * pi * (t + 0.5) / turns);
+                const double answer = order == 0 ? light_z : truncated_kernel(order, x);
+                squares += std::pow(answer - std::max(0.0, x), 2);
+                truth += std::max(0.0, x);
+            }
+        const double error = 100 * std::sqrt(squares * heights * turns) / truth;
+        mean += error / lights;
+        worst = std::max(worst, error);
+    }
+    return {mean, worst};
+}
+
+TEST(BasisFigures, PointLightsAreTheQuadrature) {
+    const auto figures = figures_of(LightKind::point);
+    constexpr std::array<int, 4> orders = {0, 1, 2, 4};
+    for (std::size_t i = 0; i < derived_bases.size(); ++i) {
+        const auto [mean, worst] = point_light_quadrature(orders[i]);
+        const bench::ErrorFigures& found = find(figures, derived_bases[i]).series;
+        // One light is jittered in each of 240 belts, and there are 300 normals: a few thousandths.
+        EXPECT_NEAR(found.mean, mean, 0.005 * mean) << derived_bases[i];
+        EXPECT_NEAR(found.worst, worst, 0.02 * worst) << derived_bases[i];
+    }
+}
+
 TEST(BasisFigures, PointLightsAreAsDerived) {
     const auto figures = figures_of(LightKind::point);
     for (const std::string& basis : derived_bases) {

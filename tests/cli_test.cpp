@@ -1,87 +1,17 @@
 // The command as its user meets it: exit codes, one line for every mistake, and nothing half-written.
 #include <OpenImageIO/imageio.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "common/image/image.h"
-#include "tests/child_process.h"
-#include "tests/gltf_text.h"
+#include "tests/command.h"
 
 namespace {
 
-namespace fs = std::filesystem;
-
-using child_process::Child;
-using child_process::Ended;
+using namespace command;
 using child_process::text_of;
-using gltf_text::GltfFile;
-using gltf_text::TemporaryDirectory;
 using Json = nlohmann::json;
-using Words = std::vector<std::string>;
-
-const std::string build_folder = SHLMBENCH_BINARY_DIR;
-const std::string cornell = build_folder + "/scenes/cornell.glb";
-
-/// Names of all files and folders below `folder`.
-std::set<std::string> files_in(const fs::path& folder) {
-    std::set<std::string> names;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        names.insert(fs::relative(entry.path(), folder).string());
-    return names;
-}
-
-class Command : public testing::Test {
-  protected:
-    TemporaryDirectory said;    ///< what the command prints
-    TemporaryDirectory folder;  ///< what it reads and writes
-
-    [[nodiscard]] std::string path(const std::string& name) const { return (folder.path() / name).string(); }
-
-    [[nodiscard]] Child start(const Words& words) const {
-        return Child(build_folder + "/shlmbench", words, said.path());
-    }
-
-    [[nodiscard]] Ended run(const Words& words) const {
-        Child child(build_folder + "/shlmbench", words, said.path());
-        return child.wait();
-    }
-
-    /// The file's path.
-    [[nodiscard]] std::string write(const GltfFile& scene) const { return scene.write(folder).string(); }
-
-    /// The words of a small render, with more words behind.
-    [[nodiscard]] Words render(const std::string& scene, const std::string& method,
-                               const Words& more = {}) const {
-        Words words = {"render",          scene,     "--method", method,     "--hits", "2000", "--out",
-                       path("image.exr"), "--width", "32",       "--height", "18"};
-        words.insert(words.end(), more.begin(), more.end());
-        return words;
-    }
-
-    /// Runs into a mistake of the user's: exit code 2, one line that has all of `fragments`, and nothing left
-    /// behind.
-    void expect_refusal(const Words& words, const Words& fragments) const {
-        SCOPED_TRACE(testing::PrintToString(words));
-        const auto before = files_in(folder.path());
-        const Ended ended = run(words);
-        EXPECT_EQ(ended.exit_code, 2);
-        EXPECT_EQ(ended.out, "");
-        EXPECT_TRUE(ended.err.starts_with("shlmbench: ")) << ended.err;
-        EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
-        for (const std::string& fragment : fragments)
-            EXPECT_NE(ended.err.find(fragment), std::string::npos) << fragment << "\n" << ended.err;
-        EXPECT_EQ(files_in(folder.path()), before);
-    }
-
-    void expect_success(const Words& words) const {
-        const Ended ended = run(words);
-        EXPECT_EQ(ended.exit_code, 0) << testing::PrintToString(words);
-        EXPECT_EQ(ended.err, "");
-    }
-};
 
 /// Every command's words for the scene.
 std::vector<Words> all_commands(const std::string& scene, const std::string& out) {
@@ -202,10 +132,13 @@ TEST_F(BadOption, MoreThanFitsInMemory) {
         words.insert(words.end(), more.begin(), more.end());
         return words;
     };
-    expect_refusal(with({"photonmap", "--hits", "1e13"}), {"photonmap/flann/k50/disc: needs", "GiB are free"});
-    expect_refusal(with({"photonmap", "--photons", "1e13"}), {"photonmap/flann/k50/disc: needs", "GiB are free"});
+    expect_refusal(with({"photonmap", "--hits", "1e13"}),
+                   {"photonmap/flann/k50/disc: needs", "GiB are free"});
+    expect_refusal(with({"photonmap", "--photons", "1e13"}),
+                   {"photonmap/flann/k50/disc: needs", "GiB are free"});
     expect_refusal(with({"photonmap/flann-incremental", "--hits", "1e13"}), {"needs", "GiB are free"});
-    expect_refusal(with({"shlm", "--hits", "1e3", "--texels", "4e12"}), {"shlm/L2/radiance/knn4: needs", "GiB are free"});
+    expect_refusal(with({"shlm", "--hits", "1e3", "--texels", "4e12"}),
+                   {"shlm/L2/radiance/knn4: needs", "GiB are free"});
     expect_refusal({"info", cornell, "--texels", "4e12"}, {"shlm/L2/radiance/knn4: needs", "GiB are free"});
 }
 
@@ -369,52 +302,6 @@ TEST_F(Render, LooksWhereItIsTold) {
     EXPECT_EQ(from("0.2,0.2,0.1,0.2,0.2,1,20"), 0.0);
 }
 
-// compare.
-
-using Compare = Command;
-
-TEST_F(Compare, WritesItsTable) {
-    const std::string out = path("results");
-    const Ended ended =
-        run({"compare", cornell, "--hits", "2000", "--repetitions", "1", "--max-memory", "100MiB",
-             "--methods", "photonmap,photonmap/flann-incremental,shlm,photonmap/flann", "--out", out});
-    ASSERT_EQ(ended.exit_code, 0) << ended.err;
-    const Json table = Json::parse(text_of(out + "/compare.json"));
-    for (const char* key :
-         {"machine", "commit", "compiler", "flags", "libraries", "date", "seed", "threads", "settings"})
-        EXPECT_TRUE(table["context"].contains(key)) << key;
-    ASSERT_EQ(table["rows"].size(), 3u);
-    for (std::size_t i = 0; i < 2; ++i) {
-        const Json& row = table["rows"][i];
-        EXPECT_EQ(row["scene"], "cornell");
-        EXPECT_EQ(row["method"], i == 0 ? "photonmap/flann/k50/disc" : "photonmap/flann-incremental/k50/disc");
-        EXPECT_GE(row["hits"], 2000);
-        for (const char* key : {"photons_emitted", "trace_seconds", "insert_ns_per_hit", "build_seconds",
-                                "gather_us_per_query", "bytes", "peak_rss_bytes"}) {
-            ASSERT_TRUE(row.contains(key)) << key;
-            EXPECT_GT(row[key], 0) << key;
-        }
-    }
-    const Json& skipped = table["rows"][2];
-    EXPECT_EQ(skipped["method"], "shlm/L2/radiance/knn4");
-    EXPECT_TRUE(skipped["skipped"].get<std::string>().starts_with("needs "));
-
-    const std::string csv = text_of(out + "/compare.csv");
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
-    EXPECT_TRUE(csv.starts_with("scene,method,"));
-}
-
-TEST_F(Compare, SaysWhyALightMapIsNotToBeHad) {
-    const std::string scene = write(gltf_text::one_triangle());
-    const Ended ended = run({"compare", scene, "--hits", "500", "--repetitions", "1", "--methods",
-                             "photonmap,shlm", "--sky", "1,1,1", "--out", path("results")});
-    ASSERT_EQ(ended.exit_code, 0) << ended.err;
-    const Json rows = Json::parse(text_of(path("results/compare.json")))["rows"];
-    ASSERT_EQ(rows.size(), 2u);
-    EXPECT_FALSE(rows[0].contains("skipped"));
-    EXPECT_NE(rows[1]["skipped"].get<std::string>().find("TEXCOORD_1"), std::string::npos);
-}
-
 // Ctrl-C.
 
 using Interrupt = Command;
@@ -429,22 +316,6 @@ TEST_F(Interrupt, EndsARenderWithoutAnImage) {
     EXPECT_EQ(ended.exit_code, 130);
     EXPECT_EQ(ended.err, "shlmbench: render stopped: no image is written\n");
     EXPECT_TRUE(files_in(folder.path()).empty());
-}
-
-TEST_F(Interrupt, KeepsTheFinishedRowsOfACompare) {
-    Child child(build_folder + "/shlmbench",
-                {"compare", cornell, "--methods", "shlm", "--hits", "1000,1e14", "--repetitions", "1",
-                 "--out", folder.path()},
-                said.path());
-    ASSERT_TRUE(child_process::wait_until([&] { return fs::exists(path("compare.csv")); }));
-    child.send(SIGINT);
-    const Ended ended = child.wait();
-    EXPECT_EQ(ended.exit_code, 130);
-    EXPECT_EQ(ended.err, "shlmbench: compare stopped: 1 finished rows are in " + path("compare.json") + "\n");
-    const Json rows = Json::parse(text_of(path("compare.json")))["rows"];
-    ASSERT_EQ(rows.size(), 1u);
-    EXPECT_GE(rows[0]["hits"], 1000);
-    EXPECT_EQ(files_in(folder.path()), (std::set<std::string>{"compare.csv", "compare.json"}));
 }
 
 }  // namespace

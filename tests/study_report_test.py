@@ -26,10 +26,10 @@ from study_crossings import (
 )
 from study_curves import Curve, Point, curves_of
 from study_data import Run, Study, StudyError
-from study_errors import ErrorSplit, mean_products, split
+from study_errors import ErrorSplit, mean_products, reference_deviation, split
 from study_front import pareto_front
 from study_groups import groups
-from study_images import equal_bytes, equal_time
+from study_images import same_bytes, same_time
 from study_methods import FIXED_K, FIXED_RADIUS, GROWING_K, LIGHT_MAP, OTHER, parse
 from study_slopes import slope_finding
 from study_targets import AT_FIRST, BEYOND, NEVER, REACHED, bytes_to_reach, time_to_reach, winners
@@ -236,6 +236,31 @@ class Split(unittest.TestCase):
             # A mean of normal values has the exact interval: not too wide either.
             misses = trials - covered["error"]
             self.assertGreaterEqual(misses, least_successes(trials, 1 - CONFIDENCE), f"{seeds} seeds")
+
+    def test_bands_cover_the_truth_beside_a_noisy_reference(self):
+        # As noisy as the bias is large, so that its own noise is most of what is not known.
+        trials, points, seeds, own = 600, 100, 8, 4 * self.BIAS_SQ
+        truth = {"error": self.VARIANCE / 40 + self.BIAS_SQ, "bias_sq": self.BIAS_SQ}
+        covered, without = dict.fromkeys(truth, 0), 0
+        generator = np.random.default_rng(6)
+        for _ in range(trials):
+            pattern = np.where(np.arange(points)[:, None] % 2 == 0, 1.0, -1.0)
+            answers = 1 + math.sqrt(self.BIAS_SQ) * pattern
+            answers = answers + math.sqrt(self.VARIANCE / 40) * generator.normal(size=(seeds, points, 3))
+            # All channels of a point alike, as from paths that are grey.
+            reference = 1 + math.sqrt(own) * generator.normal(size=(points, 1)) * np.ones(3)
+            weight = np.ones((points, 3))
+            products, numbers = mean_products(answers, reference, weight), tuple(range(seeds))
+            deviation = reference_deviation(answers, reference, weight, own * weight)
+            found = split(products, own, numbers, deviation)
+            for name in covered:
+                low, high = getattr(found, name + "_band")
+                covered[name] += low <= truth[name] <= high
+            low, high = split(products, own, numbers).bias_sq_band
+            without += low <= self.BIAS_SQ <= high
+        for name, count in covered.items():
+            self.assertGreaterEqual(count, least_successes(trials, CONFIDENCE), name)
+        self.assertLess(without, least_successes(trials, CONFIDENCE), "the reference's noise is seen")
 
     def test_few_seeds(self):
         answers, reference, weight = self.draw(np.random.default_rng(5), 2, 100)
@@ -460,8 +485,8 @@ class Reports(Folder):
         ):
             self.assertTrue((self.folder / "charts" / f"{name}.png").exists(), name)
             self.assertIn(f"charts/{name}.png", text)
-        self.assertIn("images/bumpy-equal-time.png", text)
-        self.assertTrue((self.folder / "images" / "bumpy-equal-bytes.png").exists())
+        self.assertIn("images/bumpy-same-time.png", text)
+        self.assertTrue((self.folder / "images" / "bumpy-same-bytes.png").exists())
         for word in (CONTEXT["commit"], "3 seeds", "95 %", "2 threads", "eps = 0.01"):
             self.assertIn(word, text)
 
@@ -503,12 +528,12 @@ class Reports(Folder):
         self.assertIsNone(points[-1]["bias_sq"])
 
     def test_budgets_of_the_pictures(self):
-        write_study(self.folder, Plan(FOUR_METHODS, sizes=(10_000, 100_000, 1_000_000), seeds=1, points=100))
+        sizes = (10_000, 100_000, 1_000_000, 10_000_000)  # the last is over both budgets
+        write_study(self.folder, Plan(FOUR_METHODS, sizes=sizes, seeds=1, points=100))
         curves = curves_of(Study(self.folder))["cornell"]
-        self.assertEqual(equal_time(curves).largest_within(curves[SHLM]).hits, 1_000_000)
-        smaller = equal_bytes(
-            curves
-        )  # 32e6 bytes: the photon map of a million hits is the first that is no smaller
+        self.assertEqual(same_time(curves).largest_within(curves[SHLM]).hits, 1_000_000)
+        # 32e6 bytes: the photon map of a million hits is the first that is no smaller.
+        smaller = same_bytes(curves)
         self.assertEqual(smaller.limit, 73e6)
         self.assertEqual(smaller.largest_within(curves[PHOTONS]).hits, 1_000_000)
 

@@ -230,28 +230,59 @@ TEST(TexelModel, NormalisedFollowsTheHarmonicsElsewhere) {
     });
 }
 
-TEST(TexelModel, NormalisedStaysBoundedOverAnEdge) {
-    // A texel lit from 14 degrees above its horizon, asked for on a slope that leans 30 degrees away from the
-    // light: there its series is near zero, and a ratio taken with it would know no bound.
-    const Vec3 light = direction(76 * degrees);
+/// What a texel with the normal `up` makes of one hit that brings 1 W/m^2 to a surface at that cosine to the
+/// light.
+template <class Model>
+shlm::TexelLight<Model> held_after(const Vec3& light, double cosine) {
+    std::array<Rgb, Model::summed> mean;
+    const auto values = Model::of_hit(light, static_cast<float>(1 / cosine));
+    for (std::size_t i = 0; i < Model::summed; ++i) mean[i] = Rgb(1, 1, 1) * values[i];
+    return shlm::finished_light<Model>(mean, up);
+}
+
+template <class Model>
+double largest_answer(const shlm::TexelLight<Model>& held) {
+    double largest = 0;
+    for (int tilt = -90; tilt <= 90; ++tilt) {
+        shlm::TexelMean<Model> mean(direction(tilt * degrees));
+        mean.add(held, 1);
+        largest = std::max(largest, static_cast<double>(mean.irradiance().x));
+    }
+    return largest;
+}
+
+TEST(TexelModel, NormalisedStaysBounded) {
     for_each_order<ShWeight::normalised>([&](auto model) {
         using Model = decltype(model);
-        const auto held = shlm::finished_light<Model>(
-            [&] {
-                std::array<Rgb, Model::summed> mean;
-                const auto values = Model::of_hit(light, 1 / light.z);
-                for (std::size_t i = 0; i < Model::summed; ++i) mean[i] = Rgb(1, 1, 1) * values[i];
-                return mean;
-            }(),
-            up);
-        for (int tilt = -60; tilt <= 60; ++tilt) {
-            shlm::TexelMean<Model> mean(direction(tilt * degrees));
-            mean.add(held, 1);
-            const double bound = kernel(Model::order, 1) / kernel(Model::order, light.z);
-            EXPECT_LE(mean.irradiance().x, std::max(bound, 1.0) * (1 + 1e-5))
-                << name_of(Model::order, direction(tilt * degrees));
+        // On a flat texel the peak of the kernel over its value at the surface.
+        for (const double incidence : {0.0, 45.0, 76.0, 89.0}) {
+            const Vec3 light = direction(incidence * degrees);
+            const double peak = kernel(Model::order, 1) / kernel(Model::order, light.z);
+            EXPECT_LE(largest_answer<Model>(held_after<Model>(light, light.z)), peak * (1 + 1e-4))
+                << "order " << Model::order << ", incidence " << incidence;
+        }
+        // On a bent one, light from around the kernel's zeros, 104 and 145 degrees: what a hit at 60 degrees
+        // from the texel's normal may bring to a triangle of its own.
+        if (Model::order == 0) return;
+        for (double incidence = 90.5; incidence < 150; incidence += 0.5) {
+            const Vec3 light = direction(incidence * degrees);
+            const double bound =
+                2 * double{shlm::largest_surface_share<Model::order>} * kernel(Model::order, 1);
+            EXPECT_LE(largest_answer<Model>(held_after<Model>(light, 0.5)), std::max(bound, 1.0) * (1 + 1e-4))
+                << "order " << Model::order << ", incidence " << incidence;
         }
     });
+}
+
+TEST(TexelModel, LightFromAboveNeverNeedsMoreThanTheLargestShare) {
+    const auto largest = [](int order) {
+        double share = 0;
+        for (double x = 1e-3; x <= 1; x += 1e-5) share = std::max(share, x / kernel(order, x));
+        return share;
+    };
+    EXPECT_NEAR(largest(1), double{shlm::largest_surface_share<1>}, 1e-5);
+    EXPECT_NEAR(largest(2), double{shlm::largest_surface_share<2>}, 1e-5);
+    EXPECT_NEAR(largest(4), double{shlm::largest_surface_share<4>}, 1e-5);
 }
 
 /// Light of perpendicular irradiance 1 from `towards_light`.

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/app/ending.h"
 #include "common/core/input_error.h"
 #include "common/difference/error_map.h"
 #include "common/difference/error_metrics.h"
@@ -30,6 +31,7 @@ struct DiffOptions {
 
 struct Measured {
     common::DifferenceFigures figures;
+    common::Exposures exposures;  ///< that FLIP looked at: those for the compared pixels
     std::vector<float> flip_map;  ///< every pixel
     double flip = 0;              ///< mean over the compared pixels
 };
@@ -58,12 +60,14 @@ std::vector<common::Rgb> image_in_reference(const common::ComparableImages& both
 }
 
 Measured measure_images(const common::ComparableImages& both) {
+    const std::vector<common::Rgb> reference = selected(both.reference, both.compared);
     const common::DifferenceFigures figures =
-        common::difference(selected(both.image, both.compared), selected(both.reference, both.compared));
+        common::difference(selected(both.image, both.compared), reference);
+    const common::Exposures exposures = common::exposures_for(reference);
     std::vector<float> map =
-        common::flip_map(image_in_reference(both), both.reference, both.width, both.height);
+        common::flip_map(image_in_reference(both), both.reference, both.width, both.height, exposures);
     const double flip = common::flip_mean(selected(map, both.compared));
-    return {figures, std::move(map), flip};
+    return {figures, exposures, std::move(map), flip};
 }
 
 Json worst_value(const common::WorstValue& worst, const common::ComparableImages& both) {
@@ -78,7 +82,7 @@ Json worst_value(const common::WorstValue& worst, const common::ComparableImages
 
 Json facts(const DiffOptions& options, const common::ComparableImages& both, const Measured& measured) {
     const common::DifferenceFigures& figures = measured.figures;
-    const common::Exposures exposures = common::exposures_for(both.reference);
+    const common::Exposures& exposures = measured.exposures;
     const std::size_t pixels = both.reference.size(), compared = both.compared.size();
     return {{"image", options.image},
             {"reference", options.reference},

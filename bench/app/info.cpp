@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 struct InfoOptions {
     std::string file;
     SceneOptions scene;
-    std::string texels = "262144";
+    std::string texels = std::to_string(shlm::default_texels);
     bool json = false;
 };
 
@@ -97,7 +97,7 @@ void run(const InfoOptions& options) {
     require_memory(parse_method("--texels", "shlm"), settings, 0, default_max_bytes());
     const Json all = facts(loaded, prepared);
     if (options.json) {
-        fmt::print("{}\n", all.dump(2));
+        fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));  // odd file names
         return;
     }
     for (const auto& [key, value] : all.items())

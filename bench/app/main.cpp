@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "bench/app/diff.h"
+#include "bench/app/ending.h"
 #include "bench/app/info.h"
-#include "bench/app/provenance.h"
 #include "bench/app/reference.h"
 #include "bench/app/render.h"
 #include "bench/bases/bases.h"

@@ -17,6 +17,11 @@ PreparedMethods::PreparedMethods(const LoadedScene& scene, const MethodSettings&
         settings_.max_radius = photonmap::default_max_radius(scene.scene.diagonal());
 }
 
+std::string describe(const MethodSettings& settings) {
+    return fmt::format("texels={} max-radius={}", settings.texels,
+                       settings.max_radius == 0 ? "auto" : fmt::format("{}", settings.max_radius));
+}
+
 const shlm::PreparedTexels& PreparedMethods::texels(std::size_t count) {
     const bool usable =
         std::any_of(uv_.begin(), uv_.end(), [](const shlm::LightmapUv& uv) { return uv.texcoord_set >= 0; });

@@ -17,6 +17,9 @@ struct MethodSettings {
     float max_radius = 0;                       ///< of a photon map's k nearest, world units; 0: the default
 };
 
+/// "texels=262144 max-radius=auto"
+[[nodiscard]] std::string describe(const MethodSettings& settings);
+
 /// What the methods prepare once for a scene, whatever its light: the photon map nothing, the light map its
 /// texels.
 class PreparedMethods {

@@ -74,17 +74,4 @@ std::map<std::string, std::string> provenance_notes() {
     return notes;
 }
 
-std::string describe(const MethodSettings& settings) {
-    return fmt::format("texels={} max-radius={}", settings.texels,
-                       settings.max_radius == 0 ? "auto" : fmt::format("{}", settings.max_radius));
-}
-
-void print_warnings(const LoadedScene& scene, const PreparedMethods& prepared, bool about_lightmap) {
-    for (const std::string& line : scene.scene.warnings)
-        fmt::print(stderr, "{}: warning: {}\n", scene.name, line);
-    if (!about_lightmap) return;
-    for (const std::string& line : prepared.lightmap_trouble())
-        fmt::print(stderr, "{}: warning: {}\n", scene.name, line);
-}
-
 }  // namespace bench

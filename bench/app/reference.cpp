@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "bench/app/ending.h"
 #include "bench/app/image_output.h"
-#include "bench/app/provenance.h"
 #include "bench/app/reference_run.h"
 #include "bench/app/run_options.h"
+#include "bench/app/warnings.h"
 #include "common/core/input_error.h"
 #include "common/core/threads.h"
 #include "common/reference/continuation.h"
 #include "common/reference/paths_not_found.h"
+#include "common/tracer/photon_source.h"
 
 namespace bench {
 namespace {
@@ -24,17 +28,12 @@ struct ReferenceOptions {
     int width = 128, height = 72;
 };
 
-void print_warnings(const LoadedScene& loaded) {
-    for (const std::string& line : loaded.scene.warnings)
-        fmt::print(stderr, "{}: warning: {}\n", loaded.name, line);
-    if (const std::string lost = reference::paths_not_found(loaded.scene); !lost.empty())
-        fmt::print(stderr, "{}: warning: not in the reference: {}\n", loaded.name, lost);
-}
-
-void require_light(const common::Scene& scene, const reference::Lights& lights) {
-    if (lights.light().empty() && !scene.sky)
-        throw InputError(scene.source +
-                         ": no light in the scene; add one with --sky R,G,B or --sun X,Y,Z,R,G,B");
+/// Throws InputError where there is nothing to be seen or no light to see it by.
+void require_something_to_measure(const LoadedScene& loaded, const ReferenceRun& run) {
+    (void)common::PhotonSource(loaded.scene);
+    if (std::none_of(run.pixels.begin(), run.pixels.end(), [](const auto& pixel) { return pixel.present; }))
+        throw InputError(loaded.scene.source +
+                         ": the camera sees no diffuse surface; give another with --camera");
 }
 
 void run(const ReferenceOptions& options) {
@@ -44,9 +43,11 @@ void run(const ReferenceOptions& options) {
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
         const ReferenceRun run(loaded, options.run.seed, options.out, options.width, options.height);
-        require_light(loaded.scene, run.lights);
+        require_something_to_measure(loaded, run);
         std::optional<reference::ReferenceSums> before = reference::sums_to_go_on_from(run.out, run.identity);
-        print_warnings(loaded);
+        print_scene_warnings(loaded);
+        if (const std::string lost = reference::paths_not_found(loaded.scene); !lost.empty())
+            print_warning(loaded, "not in the reference: " + lost);
         if (before) fmt::print(stderr, "going on from {}\n", describe(run, *before));
 
         reference::ReferenceSums sums = before.value_or(reference::ReferenceSums(run.pixels.size()));

@@ -66,8 +66,11 @@ void write(const ReferenceRun& run, const reference::ReferenceSums& sums) {
 }
 
 std::string describe(const ReferenceRun& run, const reference::ReferenceSums& sums) {
-    return fmt::format("{}: {} samples per pixel, relative error {:.3g} %", run.out.string(),
-                       sums.passes * samples_per_pass, 100 * reference::relative_error(run.pixels, sums));
+    const std::string dropped =
+        sums.dropped > 0 ? fmt::format(", {} samples not finite and counted as 0", sums.dropped) : "";
+    return fmt::format("{}: {} samples per pixel, relative error {:.3g} %{}", run.out.string(),
+                       sums.passes * samples_per_pass, 100 * reference::relative_error(run.pixels, sums),
+                       dropped);
 }
 
 }  // namespace bench

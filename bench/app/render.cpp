@@ -4,11 +4,13 @@
 
 #include <filesystem>
 
+#include "bench/app/ending.h"
 #include "bench/app/image_output.h"
 #include "bench/app/memory_need.h"
 #include "bench/app/method_options.h"
 #include "bench/app/provenance.h"
 #include "bench/app/run_options.h"
+#include "bench/app/warnings.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
@@ -108,7 +110,8 @@ void run(const RenderOptions& options) {
         const ShlmMethod* light_map = plan.method.light_map();
         if (light_map)
             (void)prepared.texels_of(*light_map);  // what cannot be done is said before what is doubtful
-        print_warnings(loaded, prepared, light_map != nullptr);
+        print_scene_warnings(loaded);
+        if (light_map) print_lightmap_warnings(loaded, prepared);
         const Rendering made = trace_and_gather(plan, loaded, source, prepared);
         stop_if_interrupted();
 
@@ -123,7 +126,7 @@ void run(const RenderOptions& options) {
         common::write_exr(options.out, made.image, notes);
         common::write_png(std::filesystem::path(options.out).replace_extension(".png"), made.image,
                           common::middle_grey_exposure(made.image));
-        fmt::print("{}: {} hits of {} photons, {} rejected\n", options.out, made.trace.hits,
+        fmt::print("{}: {} hits of {} photons, {} of them rejected\n", options.out, made.trace.hits,
                    made.trace.fates.emitted, made.rejected.total());
     });
 }
@@ -139,7 +142,7 @@ void add_render_command(CLI::App& app) {
         ->add_option("--method", options->method,
                      "photonmap, shlm, or a full name such as shlm/L2/radiance/knn4")
         ->required();
-    command->add_option("--hits", options->hits, "Trace until at least this many hits are stored, e.g. 1e6");
+    command->add_option("--hits", options->hits, "Trace until there are at least this many hits, e.g. 1e6");
     command->add_option("--photons", options->photons, "Trace exactly this many photons");
     command->add_option("--out", options->out, "Image to write, .exr; the PNG goes beside it")->required();
     command->add_option("--width", options->width, "Pixels")->capture_default_str();

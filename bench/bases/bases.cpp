@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
+#include "bench/app/ending.h"
 #include "bench/app/output_folder.h"
-#include "bench/app/provenance.h"
 #include "bench/app/python.h"
 #include "bench/app/run_options.h"
 #include "bench/bases/bases_table.h"

@@ -10,9 +10,10 @@ namespace {
 
 constexpr common::Vec3 own_normal(0, 0, 1);
 
-/// Errors in % of one basis, an entry per environment.
+/// Of one basis, an entry per environment.
 struct BasisErrors {
-    std::vector<double> series, answered, at_own_normal;
+    std::vector<double> series, answered;  ///< errors in %
+    std::vector<double> at_own_normal;     ///< series over truth
 };
 
 double mean_of(const std::vector<double>& values) {

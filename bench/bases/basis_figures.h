@@ -29,8 +29,10 @@ struct BasisFigures {
                                                                      std::uint64_t seed,
                                                                      const std::function<bool()>& go_on);
 
-/// The figures that this is held to, derived without any of this code, in %. None for the weights
-/// that serve as contrast, and no worst where there is one environment.
+/// The figures that this is held to, derived without any of this code, in %: by quadrature over 60
+/// environments drawn at random, which leaves the means of the point lights a standard error of 2.7, 1.1, 0.4
+/// and 0.2 for L0, L1, L2 and L4. None for the weights that serve as contrast, and no worst where there is
+/// one environment.
 struct ExpectedFigures {
     double mean;
     std::optional<double> worst;

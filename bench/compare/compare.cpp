@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "bench/app/ending.h"
 #include "bench/app/output_folder.h"
-#include "bench/app/provenance.h"
 #include "bench/app/python.h"
+#include "bench/app/warnings.h"
 #include "bench/compare/compare_plan.h"
 #include "bench/compare/compare_size.h"
 #include "bench/compare/result_table.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/threads.h"
+#include "common/scene/fingerprint.h"
 
 namespace bench {
 namespace {
@@ -48,6 +50,8 @@ std::vector<Picture> pictures_of(const ComparePlan& plan, const std::string& sce
 /// Draws all of them with the same exposure. Ends early where the user wants it to.
 void draw(const ComparePlan& plan, const CompareScene& scene, const std::vector<Picture>& pictures) {
     prepare_output_folder("--out", plan.out / "images");
+    std::error_code ignored;
+    for (const Picture& picture : pictures) fs::remove(picture.file, ignored);  // older rows' must not stay
     const auto pixels =
         common::visible_surfaces(scene.loaded.rays, scene.loaded.camera, image_width, image_height);
     float exposure = 0;
@@ -69,8 +73,10 @@ bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable
     const common::PhotonSource source(loaded.scene);
     const QueryPoints queries = visible_query_points(loaded, plan.seed);
     PreparedMethods prepared(loaded, plan.settings);
-    print_warnings(loaded, prepared, true);
+    print_scene_warnings(loaded);
+    print_lightmap_warnings(loaded, prepared);
     const CompareScene scene{loaded, source, queries, prepared};
+    table.keep_one_version_of(loaded.name, common::fingerprint(loaded.scene));
     bool anything_new = false;
     for (std::uint64_t hits : plan.hits) {
         std::vector<Method> methods;
@@ -109,10 +115,10 @@ void run(const CompareOptions& options) {
             if (!compare_scene(plan, file, table))
                 throw Interrupted(fmt::format("compare stopped: {} finished rows are in {}",
                                               table.rows().size(), (plan.out / "compare.json").string()));
-        if (!run_python("bench/report/charts.py", plan.out))
-            fmt::print(stderr, "compare: the charts could not be drawn; the table is complete\n");
         fmt::print("{}", rows_as_text(table.rows()));
         fmt::print("\n{}\n", (plan.out / "compare.json").string());
+        if (!run_python("bench/report/charts.py", plan.out))
+            throw std::runtime_error("compare: the charts could not be drawn; the table is complete");
     });
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <tuple>
 
 #include "bench/app/earlier_rows.h"
 #include "bench/app/output_folder.h"
@@ -17,14 +19,14 @@ using Json = nlohmann::ordered_json;
 Json context_of(const ComparePlan& plan) {
     Json context = provenance();
     context["seed"] = plan.seed;
+    context["repetitions"] = plan.repetitions;
     context["threads"] = plan.threads;
     context["settings"] = describe(plan.settings);
     context["lights_and_camera"] = fmt::format("{} {} {}", plan.scene.sky, plan.scene.sun, plan.scene.camera);
     return context;
 }
 
-/// The rows in `file` that can be kept; empty where there are none. Skipped ones are judged anew, and ones
-/// with fewer repetitions than were asked for, because the user ended them, measured anew.
+/// The rows in `file` that can be kept; empty where there are none.
 Json earlier_rows(const std::filesystem::path& file, const Json& context) {
     const EarlierRows earlier = read_earlier_rows(file, context);
     if (!earlier.found) return Json::array();
@@ -33,12 +35,20 @@ Json earlier_rows(const std::filesystem::path& file, const Json& context) {
                    file.string());
         return Json::array();
     }
-    Json kept = Json::array();
-    for (const Json& row : earlier.document["rows"])
-        if (!row.contains("skipped") && !row.contains("interrupted")) kept.push_back(row);
-    fmt::print(stderr, "compare: {} rows in {} are of this build and settings and are kept\n", kept.size(),
+    const Json& rows = earlier.document["rows"];
+    fmt::print(stderr, "compare: {} rows in {} are of this build and settings and are kept\n", rows.size(),
                file.string());
-    return kept;
+    return rows;
+}
+
+/// What makes a row another's repetition.
+auto key_of(const Json& row) {
+    return std::tuple(row["scene"].get<std::string>(), row["method"].get<std::string>(),
+                      row["hits_asked"].get<std::uint64_t>());
+}
+
+void erase_rows(Json& rows, const std::function<bool(const Json&)>& unwanted) {
+    for (auto row = rows.begin(); row != rows.end();) row = unwanted(*row) ? rows.erase(row) : std::next(row);
 }
 
 }  // namespace
@@ -48,15 +58,25 @@ ResultTable::ResultTable(const ComparePlan& plan) : folder_(plan.out) {
     document_["rows"] = earlier_rows(folder_ / "compare.json", document_["context"]);
 }
 
+void ResultTable::keep_one_version_of(const std::string& scene, const std::string& fingerprint) {
+    erase_rows(document_["rows"],
+               [&](const Json& row) { return row["scene"] == scene && row["fingerprint"] != fingerprint; });
+}
+
 bool ResultTable::has(const std::string& scene, const std::string& method, std::uint64_t hits) const {
     return std::any_of(rows().begin(), rows().end(), [&](const Json& row) {
-        return row["scene"] == scene && row["method"] == method && row["hits_asked"] == hits;
+        return key_of(row) == std::tuple(scene, method, hits) && !row.contains("skipped") &&
+               !row.contains("interrupted");
     });
 }
 
 void ResultTable::add(const std::vector<Json>& rows) {
-    for (const Json& row : rows) document_["rows"].push_back(row);
-    write_text(folder_ / "compare.json", document_.dump(2) + "\n");
+    for (const Json& row : rows) {
+        erase_rows(document_["rows"], [&](const Json& other) { return key_of(other) == key_of(row); });
+        document_["rows"].push_back(row);
+    }
+    write_text(folder_ / "compare.json",
+               document_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     write_text(folder_ / "compare.csv", rows_as_csv(document_["rows"]));
 }
 

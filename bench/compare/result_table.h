@@ -13,10 +13,14 @@ class ResultTable {
   public:
     explicit ResultTable(const ComparePlan& plan);
 
-    /// Whether the row is there already.
+    /// Forgets rows of a scene of the same name that differs from the one with this fingerprint.
+    void keep_one_version_of(const std::string& scene, const std::string& fingerprint);
+
+    /// Whether the row has been measured already; skipped ones are judged anew.
     [[nodiscard]] bool has(const std::string& scene, const std::string& method, std::uint64_t hits) const;
 
-    /// Appends the rows and writes both files anew: what is finished survives whatever comes.
+    /// Appends the rows, in the place of those they repeat, and writes both files anew: what is finished
+    /// survives whatever comes.
     void add(const std::vector<nlohmann::ordered_json>& rows);
 
     [[nodiscard]] const nlohmann::ordered_json& rows() const { return document_["rows"]; }

@@ -60,11 +60,8 @@ std::string csv_cell(const Json& value) {
 }  // namespace
 
 Json make_row(const RowInput& in) {
-    Json row = {{"scene", in.scene},
-                {"method", in.method.name},
-                {"hits_asked", in.hits_asked},
-                {"seed", in.seed},
-                {"threads", in.threads}};
+    Json row = {{"scene", in.scene}, {"method", in.method.name}, {"hits_asked", in.hits_asked},
+                {"seed", in.seed},   {"threads", in.threads},    {"fingerprint", in.fingerprint}};
     if (!in.skipped.empty()) {
         row["skipped"] = in.skipped;
         return row;

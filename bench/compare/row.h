@@ -13,6 +13,7 @@ namespace bench {
 /// All repetitions of one method on one scene at one number of hits.
 struct RowInput {
     std::string scene;
+    std::string fingerprint;  ///< of the scene, see common/scene/fingerprint.h
     Method method;
     std::uint64_t hits_asked = 0;
     std::uint64_t seed = 0;

@@ -99,12 +99,19 @@ def write(file, text):
     temporary.replace(file)
 
 
+def make_folder(folder):
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"--out: {error}") from error
+
+
 def main():
     given = arguments()
+    make_folder(given.out)  # before the minutes of tracing
     pairs = zip(given.files[::2], given.files[1::2])
     rows = [check(scene, reference, given.spp) for scene, reference in pairs]
     document = {"context": context(given.spp), "rows": rows}
-    given.out.mkdir(parents=True, exist_ok=True)
     write(given.out / "crosscheck.json", json.dumps(document, indent=2) + "\n")
     write(given.out / "crosscheck.md", markdown(document))
     print("\n".join(table(rows)))

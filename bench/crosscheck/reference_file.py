@@ -29,7 +29,8 @@ def read_reference(file):
         raise InputError(f"{file}: cannot be read as OpenEXR") from error
     image = np.array(bitmap, dtype=np.float64)
     columns = {field.name: i for i, field in enumerate(bitmap.struct_())}
-    missing = [name for name in ("A", "irradiance.R", "variance.R", "position.X") if name not in columns]
+    needed = ("A", "irradiance.R", "variance.R", "position.X", "normal.X", "geometric_normal.X")
+    missing = [name for name in needed if name not in columns]
     if missing:
         raise InputError(f"{file}: not a reference: the channel {missing[0]} is missing")
     seen = image[..., columns["A"]] == 1

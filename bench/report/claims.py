@@ -1,7 +1,7 @@
 """The paper's claims, held against a comparison's rows.
 
-Each claim gives a verdict (confirmed, refuted, conditional: true only under the stated condition, not measured yet) and
-what was measured. Times are compared by medians; a difference counts only where the ranges over the repetitions do
+Each claim gives a verdict (confirmed, refuted, conditional: true only under the stated condition, not decided: lost in the
+noise, not measured yet) and what was measured. Times are compared by medians; a difference counts only where the ranges over the repetitions do
 not touch.
 """
 
@@ -48,10 +48,12 @@ def sure_spread(comparison, method, column, is_counted=lambda row: True):
     return spreads
 
 
-def verdict_by_spread(sure, bound):
-    """The bound is what still counts as constant."""
+def verdict_by_spread(spreads, sure, bound):
+    """The bound is what still counts as constant; between the two spreads lies what noise may have done."""
     grows = [spread >= bound for spread in sure.values()]
-    return "refuted" if all(grows) else "conditional" if any(grows) else "confirmed"
+    if any(grows):
+        return "refuted" if all(grows) else "conditional"
+    return "confirmed" if max(spreads.values()) < bound else "not decided"
 
 
 def listing(values, form="{:.2f}"):
@@ -117,7 +119,7 @@ def constant_insert(comparison):
     short = {f"{row['scene']} {count_text(row['hits_asked'])}": row["insert_ns_per_hit"]
              for row in rows_of(comparison, LIGHT_MAP) if row["hits"] < texels}
     warm_up = f" Shorter runs pay for the first touch of texels and buffers; ns per hit: {listing(short, '{:.0f}')}." if short else ""
-    return Finding("constant-insert", says, verdict_by_spread(sure, 1.25),
+    return Finding("constant-insert", says, verdict_by_spread(spreads, sure, 1.25),
                    f"Slowest over fastest median from one hit per texel on: {listing(spreads)}; beyond the noise (bound 1.25): {listing(sure)}; "
                    f"tree insertion: {listing(tree)}.{warm_up}")
 
@@ -149,7 +151,7 @@ def constant_gather(comparison):
     if not light:
         return Finding("constant-gather", says, "not measured yet", "needs shlm at two numbers of hits")
     sure = sure_spread(comparison, LIGHT_MAP, "gather_us_per_query")
-    return Finding("constant-gather", says, verdict_by_spread(sure, 1.15),
+    return Finding("constant-gather", says, verdict_by_spread(light, sure, 1.15),
                    f"Slowest over fastest median over {hits_range(rows_of(comparison, LIGHT_MAP))}: {listing(light)}; "
                    f"beyond the noise (bound 1.15): {listing(sure)}; "
                    f"photon map: {listing(tree)}.")

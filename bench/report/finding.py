@@ -7,7 +7,7 @@ from dataclasses import dataclass
 class Finding:
     claim: str
     says: str
-    verdict: str  # confirmed, refuted, conditional, not measured yet
+    verdict: str  # confirmed, refuted, conditional, not decided, not measured yet
     measured: str
 
 

@@ -58,8 +58,9 @@ def images(comparison):
     for scene in comparison.scenes:
         for method in comparison.methods:
             name = f"images/{scene}-{method.replace('/', '-')}.png"
-            if (comparison.folder / name).exists():
-                hits = comparison.series(scene, method)[-1]["hits"]
+            measured = comparison.series(scene, method)
+            if measured and (comparison.folder / name).exists():
+                hits = measured[-1]["hits"]
                 lines += [f"**{scene}, {method}**, {count_text(hits)} hits", "", f"![{scene}, {method}]({name})", ""]
     return lines
 
@@ -103,15 +104,23 @@ def read_summary(folder):
 
 
 def main():
-    comparison = Comparison(sys.argv[1])
-    study = read_summary(sys.argv[2]) if len(sys.argv) > 2 else None
+    if len(sys.argv) not in (2, 3):
+        print("usage: report.py FOLDER [STUDY_FOLDER]", file=sys.stderr)
+        return 2
+    try:
+        comparison = Comparison(sys.argv[1])
+        study = read_summary(sys.argv[2]) if len(sys.argv) > 2 else None
+    except (OSError, ValueError, KeyError) as error:
+        print(f"report.py: {error}", file=sys.stderr)
+        return 2
     (comparison.folder / "report.md").write_text(report(comparison, study), encoding="utf-8")
     found = findings(comparison, study)
     width = max(len(f.claim) for f in found)
     for finding in found:
         print(f"{finding.claim:<{width}}  {finding.verdict:<16}  {finding.measured}")
     print(f"\n{comparison.folder / 'report.md'}")
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

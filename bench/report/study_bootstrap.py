@@ -8,6 +8,7 @@ Efron and Tibshirani, "An Introduction to the Bootstrap" (1993), chapters 6 and 
 
 import math
 from functools import lru_cache
+from statistics import NormalDist
 
 import numpy as np
 
@@ -62,6 +63,19 @@ def half_width(samples, seed_count):
         return None
     student = student_quantile(0.5 + 0.5 * CONFIDENCE, seed_count - 1)
     return student * float(np.std(usable)) / math.sqrt(count_variance(seed_count))
+
+
+@lru_cache(maxsize=None)
+def normal_draws():
+    return np.random.default_rng([RANDOM_SEED, 0]).normal(size=RESAMPLES)
+
+
+def noise_of_no_seed(deviation, seed_count):
+    """RESAMPLES values to add to samples, for noise of this known standard deviation that all seeds share: alone they
+    give a band of CONFIDENCE. The same draws each time, for what is shared by all methods, too."""
+    usual = NormalDist().inv_cdf(0.5 + 0.5 * CONFIDENCE)
+    student = student_quantile(0.5 + 0.5 * CONFIDENCE, seed_count - 1)
+    return normal_draws() * (deviation * usual * math.sqrt(count_variance(seed_count)) / student)
 
 
 def band(value, samples, seed_count):

@@ -8,6 +8,8 @@ from study_methods import REFERENCE_LIGHT_MAP, REFERENCE_PHOTON_MAP, TRADITIONAL
 NORMAL_MAPS = ("normal-maps", "The map lights normal-mapped surfaces")
 CONVERGES = ("converges", "Accumulation can go on indefinitely, to maximum convergence")
 
+SLOPE_TOLERANCE = 0.1  # from -1, for noise that falls as 1 / hits
+CLEARLY_BETTER = 4.0  # in bias^2: half of the relative bias
 TILTED = 20.0  # degrees between shading and geometric normal from which on a surface counts as tilted
 ORDERS = ("shlm/L1/radiance/knn4", REFERENCE_LIGHT_MAP, "shlm/L4/radiance/knn4")
 
@@ -57,11 +59,11 @@ def converges(summary):
     if not scenes:
         return not_measured(*CONVERGES)
     texels = default_texels(summary)
-    noise_falls = all(abs(variance_slope(s) + 1) < 0.1 for s in scenes.values())
+    noise_falls = all(abs(variance_slope(s) + 1) < SLOPE_TOLERANCE for s in scenes.values())
     last = [largest(s["methods"][REFERENCE_LIGHT_MAP]) for s in scenes.values()]
     has_floor = any(p["bias_sq_band"] and p["bias_sq_band"][0] > 0 for p in last)
     verdict = "refuted" if not noise_falls else "conditional" if has_floor else "confirmed"
-    floor = "The noise vanishes as 1 / hits and never stops; what stays is the texels' blur and the truncated series, which more hits do not lower. "
+    floor = f"The noise falls as 1 / hits (its slope within {SLOPE_TOLERANCE:g} of -1) over all sizes measured; what stays is the texels' blur and the truncated series, which more hits do not lower. "
     return Finding(
         *CONVERGES,
         verdict,
@@ -99,11 +101,11 @@ def normal_maps(summary):
         measured = [(m, methods[m]) for m in (*ORDERS, REFERENCE_PHOTON_MAP) if m in methods and tilted_bias(methods[m])]
         return Finding(
             *NORMAL_MAPS,
-            "confirmed" if most < flat / 4 else "refuted" if mine >= flat else "conditional",
+            "confirmed" if most < flat / CLEARLY_BETTER else "refuted" if mine >= flat else "conditional",
             f"{name}, {points} points whose normal is bent by {TILTED:.0f} degrees and more, "
             f"{count(largest(methods[REFERENCE_LIGHT_MAP])['hits'])} hits: relative RMS bias "
             + ", ".join(f"{m} {bias_words(points)}" for m, points in measured)
-            + f"; a traditional light map, which knows one normal, {percent(flat)}.",
+            + f"; a traditional light map, which knows one normal, {percent(flat)} (confirmed: the light map's band is below half of that).",
         )
     return not_measured(*NORMAL_MAPS)
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from study_data import Run
-from study_errors import ErrorSplit, mean_products, split
+from study_errors import ErrorSplit, split_of
 from study_methods import Method, parse
 from study_tilt import split_by_tilt
 
@@ -50,11 +50,8 @@ class Curve:
         return self.points[0].run.rows[0].get("texels", 0)
 
 
-def measure(study, scene, run, answers):
-    products = mean_products(answers, scene.reference, scene.weight)
-    return Point(
-        run, split(products, scene.reference_error_sq, run.seeds), split_by_tilt(scene, answers, run.seeds)
-    )
+def measure(scene, run, answers):
+    return Point(run, split_of(scene, answers, run.seeds), split_by_tilt(scene, answers, run.seeds))
 
 
 def curves_of(study):
@@ -63,7 +60,7 @@ def curves_of(study):
     for name, scene in study.scenes.items():
         points = {}
         for run, answers in study.runs(name):
-            points.setdefault(run.method, []).append(measure(study, scene, run, answers))
+            points.setdefault(run.method, []).append(measure(scene, run, answers))
         if points:
             found[name] = {m: Curve(parse(m), tuple(points[m])) for m in study.methods if m in points}
     return found

@@ -34,6 +34,11 @@ class Run:
     def median(self, column):
         return float(np.median(self.values(column)))
 
+    @property
+    def flip(self):
+        """Of the picture, which the first seed has; None without one."""
+        return next((row["flip"] for row in self.rows if "flip" in row), None)
+
     def total_seconds(self):
         """One value a seed: from the first photon until every point is answered, wall time."""
         return sum(self.values(phase + "_seconds") for phase in PHASES)
@@ -117,6 +122,10 @@ class Study:
     @property
     def methods(self):
         return list(dict.fromkeys(row["method"] for row in self.rows))
+
+    def entry(self, scene):
+        """What study.json says of the scene."""
+        return self._entries[scene]
 
     def scene_folder(self, scene):
         """Relative to the study's folder."""

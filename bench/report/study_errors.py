@@ -9,14 +9,16 @@ D_i = (I_i - R) / sqrt(R^2 + eps), everything follows from the mean products G_i
     error    = MSE - v_R = variance + bias^2: against the truth, not against a noisy reference
 
 bias^2 is an unbiased estimate and may come out below zero. The bootstrap needs G only. It takes bias^2 from
-pairs of different seeds: a seed drawn twice would pass its noise off as bias.
+pairs of different seeds: a seed drawn twice would pass its noise off as bias. The reference's noise is the same
+for all seeds; what is left of it once v_R is taken off widens the bands of error and bias^2.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
-from study_bootstrap import band, counts, positive_band
+from study_bootstrap import band, counts, noise_of_no_seed, positive_band
 
 
 @dataclass(frozen=True)
@@ -62,8 +64,31 @@ def mean_products(answers, reference, weight):
     return deviations @ deviations.T
 
 
-def split(products, reference_error_sq, seeds):
-    """`products` from mean_products, `reference_error_sq` is v_R, `seeds` a tuple of as many numbers."""
+def reference_deviation(answers, reference, weight, reference_variance):
+    """Standard deviation of what the reference's noise n adds to MSE - v_R: mean of (n^2 - its mean) and of
+    2 n bias. Points of a reference are independent, the channels of a point are taken to be one."""
+    noise = np.sqrt(reference_variance * weight)
+    bias = np.abs(answers.mean(axis=0) - reference) * np.sqrt(weight)
+    of_square = math.sqrt(2) * np.sum(noise**2, axis=1)
+    of_product = 2 * np.sum(noise * bias, axis=1)
+    return math.sqrt(np.sum(of_square**2 + of_product**2)) / weight.size
+
+
+def split_of(scene, answers, seeds, chosen=slice(None)):
+    """The split over the chosen points of a scene; `answers`: seeds x points x 3."""
+    reference, weight = scene.reference[chosen], scene.weight[chosen]
+    variance, answers = scene.reference_variance[chosen], answers[:, chosen]
+    return split(
+        mean_products(answers, reference, weight),
+        float(np.mean(variance * weight)),
+        seeds,
+        reference_deviation(answers, reference, weight, variance),
+    )
+
+
+def split(products, reference_error_sq, seeds, deviation=0.0):
+    """`products` from mean_products, `reference_error_sq` is v_R, `seeds` a tuple of as many numbers,
+    `deviation` from reference_deviation."""
     own = np.diag(products)
     count = len(seeds)
     mse = float(np.mean(own))
@@ -79,8 +104,9 @@ def split(products, reference_error_sq, seeds):
 
     drawn = counts(seeds)
     bias_sq = float(pair_mean(np.ones(count))) - reference_error_sq
-    error_samples = drawn @ own / count - reference_error_sq
-    bias_sq_samples = pair_mean(drawn) - reference_error_sq
+    shared = noise_of_no_seed(deviation, count) - reference_error_sq
+    error_samples = drawn @ own / count + shared
+    bias_sq_samples = pair_mean(drawn) + shared
     return ErrorSplit(
         count,
         mse,

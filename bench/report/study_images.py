@@ -1,4 +1,4 @@
-"""Rows of pictures at equal time and at equal bytes: the reference at the left, HDR-FLIP maps below."""
+"""Rows of pictures within the same time and the same bytes: the reference at the left, HDR-FLIP maps below."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +13,7 @@ from study_text import bytes_text, hits_text, number_text, percent_text, seconds
 SCALE = 2  # screen pixels per picture pixel
 DPI = 130
 BUDGET_HITS = 1e6
-TOLERANCE = 1.1  # a run a tenth over the budget counts as within: sizes are a decade apart
+TOLERANCE = 1.1  # a run a tenth over the budget counts as within
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ def nearest_size(curve, hits):
     return min(curve.points, key=lambda p: abs(np.log(p.hits / hits)))
 
 
-def equal_time(curves):
+def same_time(curves):
     """What the reference photon map takes for a million hits; None where it was not measured."""
     if REFERENCE_PHOTON_MAP not in curves:
         return None
@@ -41,7 +41,7 @@ def equal_time(curves):
     return Budget(text, point.seconds, lambda p: p.seconds)
 
 
-def equal_bytes(curves):
+def same_bytes(curves):
     """Those of the smallest reference photon map not below the reference light map, or the largest."""
     if REFERENCE_PHOTON_MAP not in curves:
         return None
@@ -73,11 +73,7 @@ def pictures_of(folder, point):
 
 
 def words_of(point):
-    flip = (
-        f", FLIP {number_text(point.run.median('flip'))}"
-        if all("flip" in row for row in point.run.rows)
-        else ""
-    )
+    flip = "" if point.run.flip is None else f", FLIP {number_text(point.run.flip)}"
     return (
         f"{hits_text(point.hits)} hits, {seconds_text(point.seconds)}, {bytes_text(point.bytes)}\n"
         f"RMS {percent_text(point.split.error)}{flip}"
@@ -106,8 +102,8 @@ def picture_row(study, scene, curves, names, budget, title, words):
     height, width = (72 * SCALE, 128 * SCALE) if reference is None else reference.shape[:2]
     caption = (
         f"Each method's largest run within the {budget.text} (up to {100 * (TOLERANCE - 1):.0f} % over). "
-        "First seed's picture, one exposure; below: HDR-FLIP against the reference; RMS over all seeds, times "
-        "and FLIP are medians. " + words
+        "Sizes are a decade apart: a method may be far below the budget. First seed's picture and FLIP, one exposure; "
+        "below: HDR-FLIP against the reference; RMS over all seeds, times are medians. " + words
     )
     sheet = Sheet(
         2, 1 + len(names), (width / DPI, height / DPI), f"{scene.name}: {title}", caption, gap=0.06, foot=0.15
@@ -130,9 +126,9 @@ def picture_row(study, scene, curves, names, budget, title, words):
 def picture_rows(study, curves_by_scene, names, words):
     """Yields (file name without ending, title, sheet)."""
     for name, curves in curves_by_scene.items():
-        for kind, budget in (("time", equal_time(curves)), ("bytes", equal_bytes(curves))):
+        for kind, budget in (("time", same_time(curves)), ("bytes", same_bytes(curves))):
             if budget:
-                title = f"equal {kind}"
-                yield f"{name}-equal-{kind}", title, picture_row(
+                title = f"within the same {kind}"
+                yield f"{name}-same-{kind}", title, picture_row(
                     study, study.scenes[name], curves, names, budget, title, words
                 )

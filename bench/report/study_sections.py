@@ -14,7 +14,7 @@ REACH_NOTE = (
 )
 CROSSING_NOTE = (
     "Where shlm/L2/radiance/knn4 is smaller or more accurate than each photon map; in square brackets the band "
-    "of a single crossing. 'always' and 'never' are said of the range behind them, that both were measured in. "
+    "of a single crossing, from the errors alone: times are medians. 'always' and 'never' are said of the range behind them, that both were measured in. "
     "At equal bytes: the photon map of as many bytes as the light map takes, against the light map of that many "
     "hits."
 )
@@ -25,8 +25,8 @@ SLOPE_NOTE = (
     "are left. One band in 20 misses by chance."
 )
 FULL_NOTE = (
-    "All that was measured. Times are medians over the seeds, wall time; FLIP is HDR-FLIP of the irradiance "
-    "picture. bias² may come out below zero."
+    "All that was measured. Times are medians over the seeds, wall time; FLIP is HDR-FLIP of the first seed's "
+    "irradiance picture. bias² may come out below zero."
 )
 FRONT_NOTE = (
     "Runs that no other beats in both cost and error, in ascending order of cost, with hits (relative RMS)."
@@ -72,12 +72,22 @@ def front_lines(report):
     return ["## Pareto fronts", "", note, "", *front_table(report.findings), ""]
 
 
+def doubts(entry):
+    """About whether scene and reference belong together."""
+    text = ""
+    if left_out := entry.get("pixels_left_out", 0):
+        text += f"; {left_out} pixels left out, where it looks at another point"
+    if not entry.get("reference_of_same_version", True):
+        text += "; **made from another version of the scene**"
+    return text
+
+
 def reference_lines(report):
     lines = ["## The references", ""]
     for name in report.curves:
         scene = report.study.scenes[name]
         own = percent_text(scene.reference_error_sq)
-        lines.append(f"- {name}: {scene.points} points, own RMS error {own}, eps {scene.epsilon:.3g} (W/m²)²")
+        lines.append(f"- {name}: {scene.points} points, own RMS error {own}, eps {scene.epsilon:.3g} (W/m²)²{doubts(report.study.entry(name))}")
     return lines + [""]
 
 
@@ -130,7 +140,7 @@ def markdown(report, chart_lines, image_lines):
         group_lines(report),
         ["## Charts", "", *chart_lines],
         front_lines(report),
-        ["## Pictures at equal cost", "", *image_lines] if image_lines else [],
+        ["## Pictures within the same cost", "", *image_lines] if image_lines else [],
         reference_lines(report),
         clamp_lines(report),
         full_lines(report),

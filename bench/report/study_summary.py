@@ -36,7 +36,7 @@ def point_entry(point):
     run = point.run
     optional = {
         c: run.median(c)
-        for c in ("flip", "insert_bytes", "hits_rejected", "clamped_share")
+        for c in ("insert_bytes", "hits_rejected", "clamped_share")
         if all(c in r for r in run.rows)
     }
     return {
@@ -46,6 +46,7 @@ def point_entry(point):
         **{phase + "_seconds": run.median(phase + "_seconds") for phase in PHASES},
         "total_seconds": point.seconds,
         "bytes": point.bytes,
+        **({} if run.flip is None else {"flip_of_first_seed": run.flip}),
         **optional,
         "tilt": [
             {"degrees": [t.low, t.high], "points": t.points, **split_entry(t.split)} for t in point.tilted

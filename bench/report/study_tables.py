@@ -64,7 +64,7 @@ def slope_table(findings):
 def point_row(point, label):
     run, split = point.run, point.split
     times = [seconds_text(run.median(phase + "_seconds")) for phase in PHASES]
-    flip = number_text(run.median("flip")) if all("flip" in row for row in run.rows) else NOTHING
+    flip = number_text(run.flip)
     return [
         label,
         hits_text(point.hits),

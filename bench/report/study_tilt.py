@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from study_errors import ErrorSplit, mean_products, split
+from study_errors import ErrorSplit, split_of
 
 EDGES = (0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 90.0)  # degrees
 FEWEST_POINTS = 30  # a bin with fewer says nothing about its angle
@@ -34,8 +34,5 @@ def split_by_tilt(scene, answers, seeds):
     for low, high in zip(EDGES[:-1], EDGES[1:]):
         chosen = (scene.tilt >= low) & ((scene.tilt < high) | (high == EDGES[-1]))
         if np.sum(chosen) >= FEWEST_POINTS:
-            weight = scene.weight[chosen]
-            own_error_sq = float(np.mean(scene.reference_variance[chosen] * weight))
-            products = mean_products(answers[:, chosen], scene.reference[chosen], weight)
-            found.append(TiltSplit(low, high, int(np.sum(chosen)), split(products, own_error_sq, seeds)))
+            found.append(TiltSplit(low, high, int(np.sum(chosen)), split_of(scene, answers, seeds, chosen)))
     return tuple(found)

@@ -4,8 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/app/provenance.h"
+#include "bench/app/ending.h"
 #include "bench/app/python.h"
+#include "bench/app/warnings.h"
 #include "bench/study/study_plan.h"
 #include "bench/study/study_run.h"
 #include "bench/study/study_table.h"
@@ -17,7 +18,7 @@ namespace {
 /// Tracing for a moment, unmeasured: the first run of a process finds caches, buffers and threads cold.
 void warm_up(const StudyPlan& plan, StudyScene& scene) {
     StudyPlan scratch = plan;
-    scratch.out = std::filesystem::temp_directory_path() / fmt::format("shlmbench-warm-up-{}", getpid());
+    scratch.out = plan.out / "warm-up";
     (void)run_study(scratch, scene, plan.methods, 10'000, 2);
     std::filesystem::remove_all(scratch.out);
 }
@@ -27,7 +28,8 @@ bool study_scene(const StudyPlan& plan, const std::filesystem::path& file, std::
                  StudyTable& table) {
     if (!table.is_missing_any(file.stem().string(), plan.methods, hits, plan.seeds)) return true;
     StudyScene scene(file, plan);
-    print_warnings(scene.loaded(), scene.prepared(), true);
+    print_scene_warnings(scene.loaded());
+    print_lightmap_warnings(scene.loaded(), scene.prepared());
     table.describe_scene(scene.name(), scene.facts());
     warm_up(plan, scene);
     for (std::uint64_t seed = 1; seed <= plan.seeds; ++seed) {
@@ -67,7 +69,7 @@ void run(const StudyOptions& options) {
                                                   table.row_count(), table.file().string()));
         for (const std::filesystem::path& file : plan.files) compare_with_reference(plan, file, table);
         if (!run_python("bench/report/study_report.py", plan.out))
-            fmt::print(stderr, "study: the report could not be written; the table is complete\n");
+            throw std::runtime_error("study: the report could not be written; the table is complete");
         fmt::print("{}: {} rows\n", table.file().string(), table.row_count());
     });
 }

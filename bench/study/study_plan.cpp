@@ -63,8 +63,9 @@ StudyPlan make_plan(const StudyOptions& options) {
     };
     require_different_names(options.files);
     if (plan.seeds < 1 || plan.seeds > 1000) throw common::InputError("--seeds: from 1 to 1000");
+    std::error_code unreadable;
     for (const std::filesystem::path& file : plan.files)
-        if (!std::filesystem::is_regular_file(plan.reference_of(file)))
+        if (!std::filesystem::is_regular_file(plan.reference_of(file), unreadable))
             throw common::InputError(
                 fmt::format("--references: there is no {}; shlmbench reference {} makes it",
                             plan.reference_of(file).string(), file.string()));

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "bench/app/output_folder.h"
-#include "bench/app/provenance.h"
 #include "common/core/input_error.h"
 #include "common/difference/error_map.h"
 #include "common/difference/error_metrics.h"
@@ -71,7 +70,8 @@ StudyScene::StudyScene(const fs::path& file, const StudyPlan& plan)
         throw common::InputError(fmt::format("{}: looks at other points than {}: another scene or camera",
                                              reference_file.string(), file.string()));
     const auto note = reference.notes.find("shlmbench:fingerprint");
-    if (note == reference.notes.end() || note->second != common::fingerprint(loaded_.scene))
+    same_version_ = note != reference.notes.end() && note->second == common::fingerprint(loaded_.scene);
+    if (!same_version_)
         fmt::print(stderr, "{}: warning: {} was made from another version of the scene\n", name(),
                    reference_file.string());
     for (std::uint32_t p = 0; p < seen.size(); ++p) {
@@ -120,6 +120,7 @@ nlohmann::ordered_json StudyScene::facts() const {
             {"fingerprint", common::fingerprint(loaded_.scene)},
             {"points", points_.size()},
             {"pixels_left_out", pixels_elsewhere_},
+            {"reference_of_same_version", same_version_},
             {"width", width_},
             {"height", height_},
             {"raw", "raw/" + name()},
@@ -129,7 +130,8 @@ nlohmann::ordered_json StudyScene::facts() const {
 double StudyScene::write_pictures(const fs::path& folder, std::uint64_t hits,
                                   std::span<const Rgb> answers) const {
     const std::vector<Rgb> picture = pixels_of(answers), truth = pixels_of(truth_);
-    const std::vector<float> flip = common::flip_map(picture, truth, width_, height_);
+    const std::vector<float> flip =
+        common::flip_map(picture, truth, width_, height_, common::exposures_for(truth_));
     common::write_png(folder / fmt::format("{}.png", hits), image_of(picture),
                       common::middle_grey_exposure(image_of(truth)));
     common::write_flip_map(folder / fmt::format("{}-flip.png", hits), width_, height_, flip);

@@ -49,6 +49,7 @@ class StudyScene {
     common::PhotonSource source_;
     PreparedMethods prepared_;
     int width_ = 0, height_ = 0;
+    bool same_version_ = false;         ///< the reference was made from exactly this scene
     std::size_t pixels_elsewhere_ = 0;  ///< where the reference looks at another point
     double reference_error_ = 0;        ///< relative, as shlmbench reference has it
     std::vector<common::SurfacePoint> points_;

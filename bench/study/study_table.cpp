@@ -22,6 +22,10 @@ Json context_of(const StudyPlan& plan) {
 
 }  // namespace
 
+StudyTable::Key StudyTable::key_of(const Json& row) {
+    return {row["scene"], row["method"], row["hits_asked"], row["seed"]};
+}
+
 StudyTable::StudyTable(const StudyPlan& plan) : file_(plan.out / "study.json") {
     document_ = {{"context", context_of(plan)}, {"scenes", Json::object()}, {"rows", Json::array()}};
     const EarlierRows earlier = read_earlier_rows(file_, document_["context"]);
@@ -34,10 +38,9 @@ StudyTable::StudyTable(const StudyPlan& plan) : file_(plan.out / "study.json") {
                         file_.string()));
     document_["context"]["date"] = earlier.document["context"]["date"];  // of its first rows
     if (earlier.document.contains("scenes")) document_["scenes"] = earlier.document["scenes"];
-    for (const Json& row : earlier.document["rows"])
-        if (!row.contains("skipped")) document_["rows"].push_back(row);
+    document_["rows"] = earlier.document["rows"];
     for (const Json& row : document_["rows"])
-        present_.emplace(row["scene"], row["method"], row["hits_asked"], row["seed"]);
+        if (!row.contains("skipped")) present_.insert(key_of(row));
     fmt::print(stderr, "study: {} rows in {} are of this build and settings and are kept\n", row_count(),
                file_.string());
 }
@@ -68,10 +71,14 @@ void StudyTable::describe_scene(const std::string& name, const Json& facts) {
 }
 
 void StudyTable::add(const std::vector<Json>& rows) {
+    Json& all = document_["rows"];
     for (const Json& row : rows) {
-        document_["rows"].push_back(row);
-        if (!row.contains("skipped"))
-            present_.emplace(row["scene"], row["method"], row["hits_asked"], row["seed"]);
+        const auto skipped_before = std::find_if(all.begin(), all.end(), [&](const Json& r) {
+            return r.contains("skipped") && key_of(r) == key_of(row);
+        });
+        if (skipped_before != all.end()) all.erase(skipped_before);
+        all.push_back(row);
+        if (!row.contains("skipped")) present_.insert(key_of(row));
     }
     write();
 }
@@ -83,7 +90,7 @@ void StudyTable::change_rows(const std::string& scene, const std::function<void(
 }
 
 void StudyTable::write() const {
-    write_text(file_, document_.dump(1) + "\n");
+    write_text(file_, document_.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace bench

@@ -39,9 +39,10 @@ class StudyTable {
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
   private:
-    void write() const;
-
     using Key = std::tuple<std::string, std::string, std::uint64_t, std::uint64_t>;
+
+    [[nodiscard]] static Key key_of(const nlohmann::ordered_json& row);
+    void write() const;
 
     std::filesystem::path file_;
     nlohmann::ordered_json document_;

@@ -71,7 +71,12 @@ std::vector<float> displayed_flip_map(std::span<const Rgb> image, std::span<cons
 std::vector<float> flip_map(std::span<const Rgb> image, std::span<const Rgb> reference, int width,
                             int height) {
     check_images(image, reference, width, height);
-    const Exposures exposures = exposures_for(reference);
+    return flip_map(image, reference, width, height, exposures_for(reference));
+}
+
+std::vector<float> flip_map(std::span<const Rgb> image, std::span<const Rgb> reference, int width, int height,
+                            const Exposures& exposures) {
+    check_images(image, reference, width, height);
     std::vector<float> map(image.size(), 0.0f);
     for (int i = 0; i < exposures.count; ++i) {
         const double stop = exposures.at(i);

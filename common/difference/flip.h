@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "common/core/vector.h"
+#include "common/difference/flip_exposures.h"
 
 namespace common {
 
@@ -26,6 +26,11 @@ inline constexpr float flip_pixels_per_degree = 67.02064f;
 /// Throws InputError unless both have width * height pixels, all finite, and the reference is not black.
 [[nodiscard]] std::vector<float> flip_map(std::span<const Rgb> image, std::span<const Rgb> reference,
                                           int width, int height);
+
+/// The same at exposures that suit a part of the reference: pixels that are not compared must not choose
+/// them.
+[[nodiscard]] std::vector<float> flip_map(std::span<const Rgb> image, std::span<const Rgb> reference,
+                                          int width, int height, const Exposures& exposures);
 
 /// Mean over pixels: the FLIP value of an image.
 [[nodiscard]] double flip_mean(std::span<const float> map);

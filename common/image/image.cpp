@@ -61,8 +61,12 @@ std::optional<std::size_t> Image::find_channel(std::string_view name) const {
 }
 
 void write_exr(const fs::path& file, const Image& image, const ImageNotes& notes, Precision precision) {
+    constexpr float largest_half = 65504;
+    const bool half = precision == Precision::half &&
+                      std::all_of(image.values.begin(), image.values.end(),
+                                  [](float value) { return std::abs(value) <= largest_half; });
     OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()),
-                         precision == Precision::half ? OIIO::TypeHalf : OIIO::TypeFloat);
+                         half ? OIIO::TypeHalf : OIIO::TypeFloat);
     spec.channelnames = image.channels;
     spec.attribute("compression", "zip");
     for (const auto& [name, text] : notes) spec.attribute(name, text);

@@ -36,7 +36,7 @@ using ImageNotes = std::map<std::string, std::string>;
 
 /// How exactly an image file keeps its values.
 enum class Precision {
-    half,   ///< 11 significant bits: pictures
+    half,   ///< 11 significant bits: pictures; single where a value is beyond 65504
     single  ///< 24: what other numbers are computed from
 };
 

@@ -65,11 +65,15 @@ def images(comparison):
     return lines
 
 
-def context_lines(comparison):
+def context_lines(comparison, study):
     context = dict(comparison.context)
     libraries = context.pop("libraries")
     lines = [f"- {key}: {value}" for key, value in context.items()]
-    return lines + ["- libraries: " + ", ".join(f"{name} {version}" for name, version in libraries.items())]
+    lines.append("- libraries: " + ", ".join(f"{name} {version}" for name, version in libraries.items()))
+    if study:
+        made = study["context"]
+        lines.append(f"- errors: from the study of commit {made['commit']}, built {made['built']}, seeds and sizes in its report")
+    return lines
 
 
 def report(comparison, study):
@@ -94,7 +98,7 @@ def report(comparison, study):
     for scene in comparison.scenes:
         lines += [f"### {scene}", "", *scene_table(comparison, scene), ""]
     lines += ["## Images", "", "One gather per pixel, normal maps applied, the same exposure for all methods of a scene.", "", *images(comparison)]
-    lines += ["## How this was made", "", *context_lines(comparison), ""]
+    lines += ["## How this was made", "", *context_lines(comparison, study), ""]
     return "\n".join(lines)
 
 

@@ -229,6 +229,19 @@ TEST_F(Diff, RefusesAReferenceThatIsNoMeasure) {
     expect_refusal(flat(all_channels, 1), with(flat(all_channels, 1), "A", 0), {"reference.exr", "no pixel"});
 }
 
+TEST_F(Diff, RefusesAReferenceThatLacksLightWhichTheImageMayHave) {
+    const common::ImageNotes lacks = {{"shlmbench:paths_not_found", "light of 1 point lights"}};
+    const Image image = flat(rgb, 1);
+    common::write_exr(path("image.exr"), image, {});
+    common::write_exr(path("reference.exr"), image, lacks);
+    expect_refusal(run_on("image.exr", "reference.exr"), {"reference.exr", "light of 1 point lights"});
+    // Another reference lacks the same.
+    common::write_exr(path("image.exr"), image, lacks);
+    EXPECT_EQ(run_on("image.exr", "reference.exr").exit_code, 0);
+    common::write_exr(path("reference.exr"), image, {{"shlmbench:paths_not_found", "none"}});
+    EXPECT_EQ(run_on("image.exr", "reference.exr").exit_code, 0);
+}
+
 TEST_F(Diff, RefusesFilesThatAreNoLinearImages) {
     const Image good = flat(rgb, 1);
     common::write_exr(path("good.exr"), good, {});

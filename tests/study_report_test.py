@@ -7,6 +7,7 @@ import math
 import sys
 import tempfile
 import unittest
+from dataclasses import replace
 from pathlib import Path
 from statistics import NormalDist
 
@@ -303,6 +304,18 @@ class Slopes(Folder):
             steps = np.log(10) * (np.arange(slope.sizes) - (slope.sizes - 1) / 2)
             deviation = math.sqrt(2 / 7 / 1800) / math.sqrt(np.sum(steps**2))
             self.assertAlmostEqual(slope.value, theory, delta=z_for(SIGNIFICANCE) * deviation, msg=name)
+
+    def test_slopes_over_time_and_bytes(self):
+        # Time grows as the hits, the photon map's bytes as their square root, the light map's not at all.
+        light = replace(light_map_law(floor=1e-9), gather_seconds=lambda hits: 0.0)
+        photons = replace(radius_law(), gather_seconds=lambda hits: 0.0, bytes=lambda hits: 1e3 * hits**0.5)
+        found = self.findings({SHLM: light, "photonmap/flann/r0.01/disc": photons})["cornell"]
+        for finding in found.values():
+            # The clock's jitter of 3 %, over three decades.
+            self.assertAlmostEqual(finding.over_seconds.value, finding.error.value, delta=0.01)
+        self.assertIsNone(found[SHLM].over_bytes)
+        radius = found["photonmap/flann/r0.01/disc"]
+        self.assertAlmostEqual(radius.over_bytes.value, 2 * radius.error.value, places=9)
 
     def test_sizes_where_the_bias_shows_are_not_fitted(self):
         found = self.findings({SHLM: light_map_law(floor=1e-3, noise=1e3)})["cornell"][SHLM]

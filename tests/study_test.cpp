@@ -478,6 +478,20 @@ TEST_F(Study, RefusesReferencesThatAreNone) {
     expect_refusal(request, {"references/cornell.exr", "is not a reference"});
 }
 
+TEST_F(Study, RefusesAReferenceThatLacksLightWhichPhotonsFind) {
+    fs::create_directories(path("out"));
+    fs::create_directories(path("references"));
+    const std::string caustic = build_folder + "/scenes/caustic.glb";
+    const Words sun = {"--sun", "0,1,0,1,1,1"};  // no path to it leads through the glass ball
+    Words words = {"reference", caustic,    "--spp", "64",    "--width",
+                   "16",        "--height", "9",     "--out", path("references/caustic.exr")};
+    words.insert(words.end(), sun.begin(), sun.end());
+    ASSERT_EQ(run_program(words, said).exit_code, 0);
+    const Request request = {
+        .out = path("out"), .more = sun, .references = path("references"), .scene = caustic};
+    expect_refusal(request, {"references/caustic.exr", "no measure for photons", "1 directional lights"});
+}
+
 TEST_F(Study, RefusesAReferenceOfAnotherSceneOrCamera) {
     fs::create_directories(path("out"));
     fs::create_directories(path("references"));

@@ -17,6 +17,7 @@
 #include "common/difference/flip.h"
 #include "common/difference/flip_exposures.h"
 #include "common/difference/image_layer.h"
+#include "common/reference/paths_not_found.h"
 
 namespace bench {
 namespace {
@@ -140,9 +141,19 @@ Measured measure(const DiffOptions& options, const common::ComparableImages& bot
     }
 }
 
+/// A reference that lacks light is no measure for an image that may have it.
+void require_the_same_light(const DiffOptions& options) {
+    using common::reference::paths_not_found;
+    const std::string lost = paths_not_found(common::read_notes(options.reference));
+    if (!lost.empty() && paths_not_found(common::read_notes(options.image)) != lost)
+        throw common::InputError(fmt::format("{}: no measure for an image that may have what it lacks: {}",
+                                             options.reference, lost));
+}
+
 void run(const DiffOptions& options) {
     check(options);
     const common::ComparableImages both = common::load_comparable(options.image, options.reference);
+    require_the_same_light(options);
     const Measured measured = measure(options, both);
     if (!options.flip_map.empty())
         common::write_flip_map(options.flip_map, both.width, both.height, measured.flip_map);

@@ -57,7 +57,7 @@ void write(const ReferenceRun& run, const reference::ReferenceSums& sums) {
     notes["shlmbench:method"] = "reference";
     notes["shlmbench:samples_per_pixel"] = std::to_string(sums.passes * samples_per_pass);
     notes["shlmbench:relative_error"] = fmt::format("{:.6g}", reference::relative_error(run.pixels, sums));
-    notes["shlmbench:paths_not_found"] = lost.empty() ? "none" : lost;
+    notes[reference::paths_not_found_note] = lost.empty() ? "none" : lost;
     const common::Image image =
         reference::to_image(run.pixels, run.identity.width, run.identity.height, sums);
     common::write_exr(run.out, image, notes, common::Precision::single);

@@ -109,7 +109,7 @@ def main():
     chart(comparison, "insert", "Inserting a hit into the store", "ns per hit and thread", draw_methods(comparison, "insert_ns_per_hit"))
     chart(comparison, "gather", "Irradiance at a visible point, one thread", "µs per query", draw_gather(comparison))
     chart(comparison, "bytes", "Memory of the map with its index", "bytes", draw_bytes(comparison))
-    chart(comparison, "time-to-map", "From the first photon to a map that answers", "s: trace, insert and build", draw_time_to_map(comparison))
+    chart(comparison, "time-to-map", "From nothing to a map that answers", "s: empty store, trace, insert, build", draw_time_to_map(comparison))
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ from claims import findings
 from comparison import LIGHT_MAP, LIGHT_MAP_FLUX, PHOTON_MAP, Comparison, count_text
 
 CHARTS = {
-    "time-to-map": "Time until a map answers: trace, insert and build. Dotted: tracing with no store.",
+    "time-to-map": "Time until a map answers: the empty store, trace, insert, build. Dotted: tracing with no store.",
     "insert": "Time inside the store alone, per hit and thread.",
     "gather": "Time to ask a finished map, at the points the camera sees. Dashed: the same points shuffled.",
     "bytes": "Bytes of the finished map. Dashed: the light map's sums while it is filled.",

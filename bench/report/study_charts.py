@@ -14,6 +14,13 @@ NOTE_FRONT = (
     + "Grey steps: Pareto front of all methods of the study, drawn here or not; rings: runs on it. "
 )
 
+NOTE_SLOPES = (
+    "Slopes in log-log by least squares; ±: half of the 95 % band. "
+    f"Sizes fitted: where the variance is at least {VARIANCE_OVER_BIAS:g} x bias² (light maps, fixed radius), "
+    f"all from {number_text(FIRST_HITS)} hits on (fixed or growing k). Part of the time and all bytes of a light map do "
+    "not grow with the hits. "
+)
+
 
 def draw_line(axes, x, values, bands, style, label, line_width=1.3):
     """Joined values, with their bands; what is not above zero cannot be drawn and leaves a gap."""
@@ -139,22 +146,15 @@ def panels_of(sheet, study, curves_by_scene):
 
 
 def error_against_time(study, curves_by_scene, findings, names, styles, title, words):
-    columns, lines = legend_shape(names)
-    sheet = Sheet(
-        *grid_shape(len(curves_by_scene)), PANEL, title, NOTE_FRONT + words, gap=1.3, legend_lines=lines
-    )
+    columns = (("over time", lambda f: slope_words(f.over_seconds)), ("theory over hits", theory_words))
+    sheet = sheet_with_slopes(curves_by_scene, title, NOTE_FRONT + NOTE_SLOPES + words, len(names))
     for axes, scene, curves in panels_of(sheet, study, curves_by_scene):
         draw_front(axes, findings[scene.name].front_by_time, lambda p: p.seconds, names)
-        for curve in chosen(curves, names):
+        drawn = chosen(curves, names)
+        for curve in drawn:
             draw_error(axes, curve, "seconds", styles, curve.method.label)
-        finish(
-            axes,
-            scene,
-            chosen(curves, names),
-            scene.name,
-            "s until every point is answered: trace + insert + build + gather",
-        )
-    sheet.legend(columns)
+        finish(axes, scene, drawn, scene.name, "s until every point is answered: trace + insert + build + gather")
+        slope_legend(axes, drawn, findings[scene.name], columns)
     return sheet
 
 
@@ -183,17 +183,16 @@ def draw_texel_curve(axes, curves, names):
 
 
 def error_against_bytes(study, curves_by_scene, findings, names, texel_names, styles, title, words):
-    columns, lines = legend_shape([*names, "texels"])
-    sheet = Sheet(
-        *grid_shape(len(curves_by_scene)), PANEL, title, NOTE_FRONT + words, gap=1.3, legend_lines=lines
-    )
+    columns = (("over bytes", lambda f: slope_words(f.over_bytes)), ("theory over hits", theory_words))
+    sheet = sheet_with_slopes(curves_by_scene, title, NOTE_FRONT + NOTE_SLOPES + words, len(names) + 1)
     for axes, scene, curves in panels_of(sheet, study, curves_by_scene):
         draw_front(axes, findings[scene.name].front_by_bytes, lambda p: p.bytes, names)
-        for curve in chosen(curves, names):
+        drawn = chosen(curves, names)
+        for curve in drawn:
             draw_error(axes, curve, "bytes", styles, curve.method.label)
         draw_texel_curve(axes, curves, texel_names)
         finish(axes, scene, chosen(curves, [*names, *texel_names]), scene.name, "bytes of the finished map")
-    sheet.legend(columns)
+        slope_legend(axes, drawn, findings[scene.name], columns)
     return sheet
 
 
@@ -204,19 +203,25 @@ def slope_words(slope):
     return f"{slope.value:+.3f} {half:<7}"
 
 
-def slope_legend(axes, curves, finding):
-    """A table under the panel: method, slope of the error, theory, slope of the variance."""
+def theory_words(finding):
+    return f"{finding.theory_text:<18}"
+
+
+def slope_legend(axes, curves, finding, columns):
+    """A table under the panel: method, then a column per (heading, text of a SlopeFinding); lines without a method
+    keep their label."""
+    if not curves:
+        return
+    handles, texts = axes.get_legend_handles_labels()
     width = max(len(c.method.label) for c in curves)
-    title = f"{'slope of':<{width}}  {'error':<14}  {'theory':<18}  variance"
-    labels = []
-    for curve in curves:
-        f = finding.slopes[curve.method.name]
-        labels.append(
-            f"{curve.method.label:<{width}}  {slope_words(f.error)}  {f.theory_text:<18}  "
-            f"{slope_words(f.variance)}"
-        )
+    found = {c.method.label: finding.slopes[c.method.name] for c in curves}
+    title = f"{'slope of the error':<{width}}" + "".join(f"  {heading:<14}" for heading, _ in columns)
+    labels = [
+        f"{text:<{width}}" + "".join(f"  {words(found[text])}" for _, words in columns) if text in found else text
+        for text in texts
+    ]
     legend = axes.legend(
-        axes.get_legend_handles_labels()[0],
+        handles,
         labels,
         title=" " * 8 + title,
         alignment="left",
@@ -232,21 +237,25 @@ def slope_legend(axes, curves, finding):
     legend.get_title().set_fontsize(SMALL)
 
 
-def error_against_hits(study, curves_by_scene, findings, names, styles, title, words):
-    caption = (
-        "Slopes of log(error) and of log(variance) over log(hits) by least squares; ±: half of the 95 % band. "
-        f"Sizes fitted: where the variance is at least {VARIANCE_OVER_BIAS:g} x bias² (light maps, fixed radius), "
-        f"all from {number_text(FIRST_HITS)} hits on (fixed or growing k). {NOTE_SINGLE}{words}"
-    )
+def sheet_with_slopes(curves_by_scene, title, caption, lines):
+    """Room for a table of so many lines under each panel."""
     rows, columns = grid_shape(len(curves_by_scene))
-    sheet = Sheet(rows, columns, PANEL, title, caption, gap=1.3, foot=0.55 + 0.13 * (len(names) + 1))
+    return Sheet(rows, columns, PANEL, title, caption, gap=1.3, foot=0.55 + 0.13 * (lines + 1))
+
+
+def error_against_hits(study, curves_by_scene, findings, names, styles, title, words):
+    columns = (
+        ("over hits", lambda f: slope_words(f.error)),
+        ("theory", theory_words),
+        ("    of the variance", lambda f: slope_words(f.variance)),
+    )
+    sheet = sheet_with_slopes(curves_by_scene, title, NOTE_SINGLE + NOTE_SLOPES + words, len(names))
     for axes, scene, curves in panels_of(sheet, study, curves_by_scene):
         drawn = chosen(curves, names)
         for curve in drawn:
             draw_error(axes, curve, "hits", styles, curve.method.label)
         finish(axes, scene, drawn, scene.name, "hits")
-        if drawn:
-            slope_legend(axes, drawn, findings[scene.name])
+        slope_legend(axes, drawn, findings[scene.name], columns)
     return sheet
 
 

@@ -18,6 +18,7 @@ from study_methods import FIXED_K, GROWING_K, SLOPE_OF_THEORY, THEORY_TEXT
 VARIANCE_OVER_BIAS = 4.0
 FIRST_HITS = 1e5
 FEWEST_SIZES = 2
+LEAST_GROWTH = 0.1  # of the logarithm: the bytes of a light map vary by FLANN's bookkeeping
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,8 @@ class SlopeFinding:
     theory: float  # None where theory says nothing; the same for error and variance
     theory_text: str
     verdict: str
+    over_seconds: Slope  # of the error over the total time and over the bytes, the same sizes
+    over_bytes: Slope  # None where the bytes do not grow
 
 
 def least_squares(log_hits, logs):
@@ -45,17 +48,20 @@ def least_squares(log_hits, logs):
     return (logs - logs.mean(axis=-1, keepdims=True)) @ centred / (centred @ centred)
 
 
-def fit(points, value_of, samples_of):
-    """Slope of value_of(split) over the hits of the points; None where fewer than two can be used."""
+def fit(points, value_of, samples_of, cost_of=lambda p: p.hits):
+    """Slope of value_of(split) over the cost of the points; None where fewer than two can be used or the cost
+    stays the same."""
     usable = [p for p in points if p.split.seed_count > 1 and value_of(p.split) > 0]
     if len(usable) < FEWEST_SIZES:
         return None
-    log_hits = np.log([p.hits for p in usable])
-    value = float(least_squares(log_hits, np.log([value_of(p.split) for p in usable])))
+    log_costs = np.log([cost_of(p) for p in usable])
+    if log_costs.max() - log_costs.min() < LEAST_GROWTH:
+        return None
+    value = float(least_squares(log_costs, np.log([value_of(p.split) for p in usable])))
     samples = np.stack([samples_of(p.split) for p in usable], axis=-1)
     logs = np.log(np.where(samples > 0, samples, np.nan))
     fewest = min(p.split.seed_count for p in usable)
-    return Slope(value, band(value, least_squares(log_hits, logs), fewest), len(usable))
+    return Slope(value, band(value, least_squares(log_costs, logs), fewest), len(usable))
 
 
 def from_first_hits(curve):
@@ -88,8 +94,19 @@ def verdict(curve, points, error, variance, theory):
 
 def slope_finding(curve):
     for_error, for_variance = fitted_points(curve)
-    error = fit(for_error, lambda s: s.error, lambda s: s.error_samples)
+
+    def of_error(*cost_of):
+        return fit(for_error, lambda s: s.error, lambda s: s.error_samples, *cost_of)
+
+    error = of_error()
     variance = fit(for_variance, lambda s: s.variance, lambda s: s.variance_samples)
     theory = SLOPE_OF_THEORY.get(curve.method.family)
-    text = THEORY_TEXT.get(curve.method.family, "-")
-    return SlopeFinding(error, variance, theory, text, verdict(curve, for_error, error, variance, theory))
+    return SlopeFinding(
+        error,
+        variance,
+        theory,
+        THEORY_TEXT.get(curve.method.family, "-"),
+        verdict(curve, for_error, error, variance, theory),
+        of_error(lambda p: p.seconds),
+        of_error(lambda p: p.bytes),
+    )

@@ -8,6 +8,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
+from PIL import Image
 
 from study_methods import FIXED_K, FIXED_RADIUS, GROWING_K, LIGHT_MAP
 from study_text import number_text
@@ -136,6 +137,9 @@ class Sheet:
         path.parent.mkdir(parents=True, exist_ok=True)
         self.figure.savefig(path, dpi=DPI)
         plt.close(self.figure)
+        # A chart has few colours: with a palette it takes a third of the bytes. matplotlib needs Pillow anyway.
+        with Image.open(path) as image:
+            image.convert("RGB").quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
 def label_short_axis(axis):

@@ -61,6 +61,8 @@ def slope_entry(finding):
     return {
         "error": entry(finding.error),
         "variance": entry(finding.variance),
+        "error_over_seconds": entry(finding.over_seconds),
+        "error_over_bytes": entry(finding.over_bytes),
         "theory": finding.theory,
         "verdict": finding.verdict,
     }

@@ -12,6 +12,7 @@
 #include "common/difference/error_map.h"
 #include "common/difference/error_metrics.h"
 #include "common/difference/flip.h"
+#include "common/reference/paths_not_found.h"
 #include "common/reference/reference_image.h"
 #include "common/scene/fingerprint.h"
 #include "common/view/visible_surfaces.h"
@@ -60,6 +61,9 @@ StudyScene::StudyScene(const fs::path& file, const StudyPlan& plan)
     : loaded_(file.string(), plan.scene), source_(loaded_.scene), prepared_(loaded_, plan.settings) {
     const fs::path reference_file = plan.reference_of(file);
     const auto reference = common::reference::read_reference(reference_file);
+    if (const std::string lost = common::reference::paths_not_found(reference.notes); !lost.empty())
+        throw common::InputError(fmt::format("{}: no measure for photons, which find what it lacks: {}",
+                                             reference_file.string(), lost));
     width_ = reference.width;
     height_ = reference.height;
     const auto seen = common::visible_surfaces(loaded_.rays, loaded_.camera, width_, height_);

@@ -21,4 +21,9 @@ std::string paths_not_found(const Scene& scene) {
     return kinds.empty() ? "" : fmt::format("light of {} lights by way of mirrors or glass", kinds);
 }
 
+std::string paths_not_found(const ImageNotes& notes) {
+    const auto note = notes.find(paths_not_found_note);
+    return note == notes.end() || note->second == "none" ? "" : note->second;
+}
+
 }  // namespace common::reference

@@ -11,8 +11,7 @@
 #include "bench/bases/directions.h"
 #include "bench/bases/tilt_curve.h"
 #include "common/estimator/irradiance_estimator.h"
-#include "tests/child_process.h"
-#include "tests/gltf_text.h"
+#include "tests/command.h"
 #include "tests/statistics.h"
 
 namespace {
@@ -429,8 +428,7 @@ class BasesCommand : public testing::Test {
     [[nodiscard]] Ended run(const Words& more) const {
         Words words = {"bases"};
         words.insert(words.end(), more.begin(), more.end());
-        return child_process::Child(std::string(SHLMBENCH_BINARY_DIR) + "/shlmbench", words, said.path())
-            .wait();
+        return command::run_command(words, said);
     }
 
     [[nodiscard]] Json document_of(const Words& more) const {
@@ -443,12 +441,7 @@ class BasesCommand : public testing::Test {
     }
 
     void expect_refusal(const Words& words, const std::string& fragment) const {
-        const Ended ended = run(words);
-        EXPECT_EQ(ended.exit_code, 2);
-        EXPECT_EQ(ended.out, "");
-        EXPECT_TRUE(ended.err.starts_with("shlmbench: ")) << ended.err;
-        EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
-        EXPECT_NE(ended.err.find(fragment), std::string::npos) << fragment << "\n" << ended.err;
+        command::expect_refused(run(words), {fragment});
         EXPECT_FALSE(fs::exists(out()));
     }
 };

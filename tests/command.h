@@ -29,6 +29,20 @@ inline std::set<std::string> files_in(const fs::path& folder) {
     return names;
 }
 
+inline Ended run_command(const Words& words, const TemporaryDirectory& said) {
+    return Child(build_folder + "/shlmbench", words, said.path()).wait();
+}
+
+/// How a mistake of the user's ends: exit code 2, and one line that has all of `fragments`.
+inline void expect_refused(const Ended& ended, const Words& fragments) {
+    EXPECT_EQ(ended.exit_code, 2);
+    EXPECT_EQ(ended.out, "");
+    EXPECT_TRUE(ended.err.starts_with("shlmbench: ")) << ended.err;
+    EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
+    for (const std::string& fragment : fragments)
+        EXPECT_NE(ended.err.find(fragment), std::string::npos) << fragment << "\n" << ended.err;
+}
+
 class Command : public testing::Test {
   protected:
     TemporaryDirectory said;    ///< what the command prints
@@ -40,10 +54,7 @@ class Command : public testing::Test {
         return Child(build_folder + "/shlmbench", words, said.path());
     }
 
-    [[nodiscard]] Ended run(const Words& words) const {
-        Child child(build_folder + "/shlmbench", words, said.path());
-        return child.wait();
-    }
+    [[nodiscard]] Ended run(const Words& words) const { return run_command(words, said); }
 
     /// The file's path.
     [[nodiscard]] std::string write(const GltfFile& scene) const { return scene.write(folder).string(); }
@@ -62,13 +73,7 @@ class Command : public testing::Test {
     void expect_refusal(const Words& words, const Words& fragments) const {
         SCOPED_TRACE(testing::PrintToString(words));
         const auto before = files_in(folder.path());
-        const Ended ended = run(words);
-        EXPECT_EQ(ended.exit_code, 2);
-        EXPECT_EQ(ended.out, "");
-        EXPECT_TRUE(ended.err.starts_with("shlmbench: ")) << ended.err;
-        EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
-        for (const std::string& fragment : fragments)
-            EXPECT_NE(ended.err.find(fragment), std::string::npos) << fragment << "\n" << ended.err;
+        expect_refused(run(words), fragments);
         EXPECT_EQ(files_in(folder.path()), before);
     }
 

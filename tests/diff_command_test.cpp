@@ -1,21 +1,17 @@
 // shlmbench diff as its user meets it: what is compared, what is refused, and when it fails.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "common/image/image.h"
-#include "tests/child_process.h"
-#include "tests/gltf_text.h"
+#include "tests/command.h"
 
 namespace {
 
-using child_process::Ended;
+using namespace command;
 using common::Image;
-using gltf_text::TemporaryDirectory;
 using Json = nlohmann::json;
-using Words = std::vector<std::string>;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -60,8 +56,7 @@ class Diff : public testing::Test {
                                const Words& more = {}) const {
         Words words = {"diff", path(image), path(reference)};
         words.insert(words.end(), more.begin(), more.end());
-        child_process::Child child(std::string(SHLMBENCH_BINARY_DIR) + "/shlmbench", words, said.path());
-        return child.wait();
+        return run_command(words, said);
     }
 
     [[nodiscard]] Json figures(const Image& image, const Image& reference) const {
@@ -73,12 +68,7 @@ class Diff : public testing::Test {
 
     /// Exit code 2, no number, no map, and one line that has all of `fragments`.
     void expect_refusal(const Ended& ended, const Words& fragments) const {
-        EXPECT_EQ(ended.exit_code, 2);
-        EXPECT_EQ(ended.out, "");
-        EXPECT_TRUE(ended.err.starts_with("shlmbench: ")) << ended.err;
-        EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
-        for (const std::string& fragment : fragments)
-            EXPECT_NE(ended.err.find(fragment), std::string::npos) << fragment << "\n" << ended.err;
+        expect_refused(ended, fragments);
         EXPECT_FALSE(std::filesystem::exists(path("map.png")));
     }
 

@@ -1,24 +1,12 @@
 // shlmbench reference as its user meets it.
-#include <gtest/gtest.h>
-
-#include <set>
-
 #include "common/image/image.h"
 #include "common/reference/reference_image.h"
-#include "tests/child_process.h"
-#include "tests/gltf_text.h"
+#include "tests/command.h"
 
 namespace {
 
-namespace fs = std::filesystem;
+using namespace command;
 
-using child_process::Child;
-using child_process::Ended;
-using gltf_text::TemporaryDirectory;
-using Words = std::vector<std::string>;
-
-const std::string build_folder = SHLMBENCH_BINARY_DIR;
-const std::string cornell = build_folder + "/scenes/cornell.glb";
 const std::string bumpy = build_folder + "/scenes/bumpy.glb";
 
 class ReferenceCommand : public testing::Test {
@@ -28,15 +16,9 @@ class ReferenceCommand : public testing::Test {
 
     [[nodiscard]] std::string path(const std::string& name) const { return (folder.path() / name).string(); }
 
-    [[nodiscard]] Ended run(const Words& words) const {
-        return Child(build_folder + "/shlmbench", words, said.path()).wait();
-    }
+    [[nodiscard]] Ended run(const Words& words) const { return run_command(words, said); }
 
-    [[nodiscard]] std::set<std::string> files() const {
-        std::set<std::string> names;
-        for (const auto& entry : fs::directory_iterator(folder.path())) names.insert(entry.path().filename());
-        return names;
-    }
+    [[nodiscard]] std::set<std::string> files() const { return files_in(folder.path()); }
 
     /// The words of a small reference, with more words behind.
     [[nodiscard]] Words reference(const Words& more, const std::string& scene = cornell) const {
@@ -56,13 +38,7 @@ class ReferenceCommand : public testing::Test {
         SCOPED_TRACE(testing::PrintToString(words));
         const auto before = files();
         const std::string kept = fs::exists(path("ref.exr")) ? child_process::text_of(path("ref.exr")) : "";
-        const Ended ended = run(words);
-        EXPECT_EQ(ended.exit_code, 2);
-        EXPECT_EQ(ended.out, "");
-        EXPECT_TRUE(ended.err.starts_with("shlmbench: ")) << ended.err;
-        EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
-        for (const std::string& fragment : fragments)
-            EXPECT_NE(ended.err.find(fragment), std::string::npos) << fragment << "\n" << ended.err;
+        expect_refused(run(words), fragments);
         EXPECT_EQ(files(), before);
         if (!kept.empty()) {
             EXPECT_EQ(child_process::text_of(path("ref.exr")), kept);

@@ -1,28 +1,16 @@
 // shlmbench study as its user meets it: what it measures, keeps, goes on with and refuses.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "common/image/image.h"
 #include "common/reference/reference_image.h"
-#include "tests/child_process.h"
-#include "tests/gltf_text.h"
+#include "tests/command.h"
 
 namespace {
 
-namespace fs = std::filesystem;
-
-using child_process::Child;
-using child_process::Ended;
+using namespace command;
 using child_process::text_of;
-using gltf_text::TemporaryDirectory;
 using Json = nlohmann::json;
-using Words = std::vector<std::string>;
-
-const std::string build_folder = SHLMBENCH_BINARY_DIR;
-const std::string cornell = build_folder + "/scenes/cornell.glb";
 
 /// A method of every kind; the first two share a store.
 const Words some_methods = {"shlm/L2/radiance/knn4", "shlm/L2/radiance/own",
@@ -30,16 +18,12 @@ const Words some_methods = {"shlm/L2/radiance/knn4", "shlm/L2/radiance/own",
 
 constexpr int width = 16, height = 9;
 
-Ended run_program(const Words& words, const TemporaryDirectory& said) {
-    return Child(build_folder + "/shlmbench", words, said.path()).wait();
-}
-
 /// A folder with cornell.exr, the same for all tests: its making takes longer than most of them.
 const fs::path& references() {
     static const TemporaryDirectory folder;
     static const bool made = [] {
         const TemporaryDirectory said;
-        return run_program(
+        return run_command(
                    {"reference", cornell, "--out", (folder.path() / "cornell.exr").string(), "--width",
                     std::to_string(width), "--height", std::to_string(height), "--spp", "64"},
                    said)
@@ -91,7 +75,7 @@ const fs::path& finished_study() {
     static const TemporaryDirectory folder;
     static const bool made = [] {
         const TemporaryDirectory said;
-        return run_program(words_of({.out = folder.path().string()}), said).exit_code == 0;
+        return run_command(words_of({.out = folder.path().string()}), said).exit_code == 0;
     }();
     EXPECT_TRUE(made);
     return folder.path();
@@ -127,7 +111,7 @@ class Study : public testing::Test {
 
     [[nodiscard]] std::string path(const std::string& name) const { return (folder.path() / name).string(); }
 
-    [[nodiscard]] Ended run(const Request& request) const { return run_program(words_of(request), said); }
+    [[nodiscard]] Ended run(const Request& request) const { return run_command(words_of(request), said); }
 
     /// Runs a whole study; returns its rows.
     [[nodiscard]] Json study(const Request& request) const {
@@ -141,13 +125,7 @@ class Study : public testing::Test {
         const Words words = words_of(request);
         SCOPED_TRACE(testing::PrintToString(words));
         const Contents before = contents_of(folder.path());
-        const Ended ended = run_program(words, said);
-        EXPECT_EQ(ended.exit_code, 2);
-        EXPECT_EQ(ended.out, "");
-        EXPECT_TRUE(ended.err.starts_with("shlmbench: ")) << ended.err;
-        EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
-        for (const std::string& fragment : fragments)
-            EXPECT_NE(ended.err.find(fragment), std::string::npos) << fragment << "\n" << ended.err;
+        expect_refused(run_command(words, said), fragments);
         EXPECT_TRUE(contents_of(folder.path()) == before) << "a file has changed";
     }
 
@@ -156,7 +134,7 @@ class Study : public testing::Test {
                         const std::string& scene = cornell) const {
         Words words = {"reference", scene, "--out", path(name), "--spp", "64"};
         words.insert(words.end(), more.begin(), more.end());
-        const Ended ended = run_program(words, said);
+        const Ended ended = run_command(words, said);
         ASSERT_EQ(ended.exit_code, 0) << ended.err;
     }
 };
@@ -302,7 +280,7 @@ TEST_F(Study, AnswersAsRenderDoes) {
         const auto answers = values_of<float>(answers_of(finished_study(), row));
         const auto text = [&](const char* name) { return std::to_string(row[name].get<int>()); };
         const Ended ended =
-            run_program({"render", cornell, "--method", row["method"], "--texels", "256", "--hits",
+            run_command({"render", cornell, "--method", row["method"], "--texels", "256", "--hits",
                          text("hits_asked"), "--seed", text("seed"), "--width", std::to_string(width),
                          "--height", std::to_string(height), "--out", path("image.exr")},
                         said);
@@ -470,7 +448,7 @@ TEST_F(Study, RefusesReferencesThatAreNone) {
 
     std::ofstream(path("references/cornell.exr")) << "text";
     expect_refusal(request, {"references/cornell.exr", "cannot be read"});
-    ASSERT_EQ(run_program({"render", cornell, "--method", "photonmap", "--hits", "1000", "--width", "16",
+    ASSERT_EQ(run_command({"render", cornell, "--method", "photonmap", "--hits", "1000", "--width", "16",
                            "--height", "9", "--out", path("references/cornell.exr")},
                           said)
                   .exit_code,
@@ -486,7 +464,7 @@ TEST_F(Study, RefusesAReferenceThatLacksLightWhichPhotonsFind) {
     Words words = {"reference", caustic,    "--spp", "64",    "--width",
                    "16",        "--height", "9",     "--out", path("references/caustic.exr")};
     words.insert(words.end(), sun.begin(), sun.end());
-    ASSERT_EQ(run_program(words, said).exit_code, 0);
+    ASSERT_EQ(run_command(words, said).exit_code, 0);
     const Request request = {
         .out = path("out"), .more = sun, .references = path("references"), .scene = caustic};
     expect_refusal(request, {"references/caustic.exr", "no measure for photons", "1 directional lights"});

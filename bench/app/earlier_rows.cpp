@@ -13,12 +13,9 @@ EarlierRows read_earlier_rows(const std::filesystem::path& file, const nlohmann:
     EarlierRows earlier;
     if (!in && !std::filesystem::exists(file)) return earlier;
     earlier.document = nlohmann::ordered_json::parse(in, nullptr, false);
-    const auto has = [&](const char* key, auto is_kind) {
-        return earlier.document.is_object() && earlier.document.contains(key) &&
-               is_kind(earlier.document[key]);
-    };
-    earlier.found = has("context", [](const auto& value) { return value.is_object(); }) &&
-                    has("rows", [](const auto& value) { return value.is_array(); });
+    const nlohmann::ordered_json& table = earlier.document;
+    earlier.found = table.contains("context") && table["context"].is_object() && table.contains("rows") &&
+                    table["rows"].is_array();
     if (!earlier.found)
         throw common::InputError(
             fmt::format("{}: not a table of earlier rows; remove it first", file.string()));

@@ -75,8 +75,8 @@ bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable
     PreparedMethods prepared(loaded, plan.settings);
     print_scene_warnings(loaded);
     print_lightmap_warnings(loaded, prepared);
-    const CompareScene scene{loaded, source, queries, prepared};
-    table.keep_one_version_of(loaded.name, common::fingerprint(loaded.scene));
+    const CompareScene scene{loaded, source, queries, prepared, common::fingerprint(loaded.scene)};
+    table.keep_one_version_of(loaded.name, scene.fingerprint);
     bool anything_new = false;
     for (std::uint64_t hits : plan.hits) {
         std::vector<Method> methods;

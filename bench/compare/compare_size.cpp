@@ -9,7 +9,6 @@
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
-#include "common/scene/fingerprint.h"
 
 namespace bench {
 namespace {
@@ -18,7 +17,7 @@ namespace {
 RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const Method& method,
                    std::uint64_t hits) {
     RowInput row{.scene = scene.loaded.name,
-                 .fingerprint = common::fingerprint(scene.loaded.scene),
+                 .fingerprint = scene.fingerprint,
                  .method = method,
                  .hits_asked = hits,
                  .seed = plan.seed,

@@ -15,6 +15,7 @@ struct CompareScene {
     const common::PhotonSource& source;
     const QueryPoints& queries;
     PreparedMethods& prepared;
+    std::string fingerprint;  ///< see common/scene/fingerprint.h
 };
 
 struct SizeResult {

@@ -58,7 +58,10 @@ std::vector<Rgb> read_answers(const fs::path& file, std::size_t points) {
 }
 
 StudyScene::StudyScene(const fs::path& file, const StudyPlan& plan)
-    : loaded_(file.string(), plan.scene), source_(loaded_.scene), prepared_(loaded_, plan.settings) {
+    : loaded_(file.string(), plan.scene),
+      source_(loaded_.scene),
+      prepared_(loaded_, plan.settings),
+      fingerprint_(common::fingerprint(loaded_.scene)) {
     const fs::path reference_file = plan.reference_of(file);
     const auto reference = common::reference::read_reference(reference_file);
     if (const std::string lost = common::reference::paths_not_found(reference.notes); !lost.empty())
@@ -68,23 +71,24 @@ StudyScene::StudyScene(const fs::path& file, const StudyPlan& plan)
     height_ = reference.height;
     const auto seen = common::visible_surfaces(loaded_.rays, loaded_.camera, width_, height_);
     const float tolerance = 1e-4f * loaded_.scene.diagonal();
-    for (std::size_t p = 0; p < seen.size(); ++p)
-        pixels_elsewhere_ += !is_same(seen[p], reference.pixel[p], tolerance);
+    for (std::uint32_t p = 0; p < seen.size(); ++p) {
+        if (!is_same(seen[p], reference.pixel[p], tolerance)) {
+            ++pixels_elsewhere_;
+        } else if (seen[p].present) {
+            points_.push_back(seen[p].point);
+            pixel_.push_back(p);
+            truth_.push_back(reference.pixel[p].irradiance);
+            variance_.push_back(reference.pixel[p].variance);
+        }
+    }
     if (pixels_elsewhere_ * 100 > seen.size())
         throw common::InputError(fmt::format("{}: looks at other points than {}: another scene or camera",
                                              reference_file.string(), file.string()));
     const auto note = reference.notes.find("shlmbench:fingerprint");
-    same_version_ = note != reference.notes.end() && note->second == common::fingerprint(loaded_.scene);
+    same_version_ = note != reference.notes.end() && note->second == fingerprint_;
     if (!same_version_)
         fmt::print(stderr, "{}: warning: {} was made from another version of the scene\n", name(),
                    reference_file.string());
-    for (std::uint32_t p = 0; p < seen.size(); ++p) {
-        if (!seen[p].present || !is_same(seen[p], reference.pixel[p], tolerance)) continue;
-        points_.push_back(seen[p].point);
-        pixel_.push_back(p);
-        truth_.push_back(reference.pixel[p].irradiance);
-        variance_.push_back(reference.pixel[p].variance);
-    }
     if (points_.empty())
         throw common::InputError(fmt::format("{}: shows no surface", reference_file.string()));
     const double epsilon = common::relative_epsilon(truth_);
@@ -121,7 +125,7 @@ void StudyScene::write_reference(const fs::path& folder) const {
 
 nlohmann::ordered_json StudyScene::facts() const {
     return {{"file", loaded_.scene.source},
-            {"fingerprint", common::fingerprint(loaded_.scene)},
+            {"fingerprint", fingerprint_},
             {"points", points_.size()},
             {"pixels_left_out", pixels_elsewhere_},
             {"reference_of_same_version", same_version_},

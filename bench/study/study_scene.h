@@ -48,6 +48,7 @@ class StudyScene {
     LoadedScene loaded_;
     common::PhotonSource source_;
     PreparedMethods prepared_;
+    std::string fingerprint_;
     int width_ = 0, height_ = 0;
     bool same_version_ = false;         ///< the reference was made from exactly this scene
     std::size_t pixels_elsewhere_ = 0;  ///< where the reference looks at another point

@@ -1,7 +1,12 @@
 // Sums of hits, one set per texel, in memory that does not grow.
 #pragma once
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/spin_mutex.h>
+
+#include <bitset>
+#include <memory>
 
 #include "shlm/deposit_sorter.h"
 #include "shlm/settings.h"
@@ -12,44 +17,81 @@ namespace shlm {
 template <class Model>
 class Accumulator {
   public:
-    explicit Accumulator(const TexelLayout& layout) : sorter_(layout), sums_(layout.texel_count()) {}
+    /// `layout` must outlive the accumulator.
+    explicit Accumulator(const TexelLayout& layout)
+        : sorters_([&layout] { return DepositSorter(layout); }),
+          sums_(layout.texel_count()),
+          shares_(std::make_unique<std::array<Share, DepositSorter::max_shares>>()) {}
 
-    /// Adds a wave's hits. Each texel gets its hits in the order of their photons, whatever the number of
-    /// threads.
+    /// Adds a batch's hits; several threads may do so at once.
+    void add(const common::HitBatch& hits) {
+        DepositSorter& sorter = sorters_.local();
+        sorter.sort(hits);
+        std::bitset<DepositSorter::max_shares> done;
+        // First what is free; what another thread is adding to comes later.
+        for (std::size_t share = 0; share < DepositSorter::max_shares; ++share) {
+            tbb::spin_mutex::scoped_lock lock;
+            if (!lock.try_acquire((*shares_)[share].mutex)) continue;
+            add(hits, sorter.share(share));
+            done.set(share);
+        }
+        for (std::size_t share = 0; share < DepositSorter::max_shares; ++share) {
+            if (done[share]) continue;
+            const tbb::spin_mutex::scoped_lock lock((*shares_)[share].mutex);
+            add(hits, sorter.share(share));
+        }
+    }
+
     void consume(std::span<const common::HitBatch> wave) {
-        sorter_.sort(wave);
-        tbb::parallel_for(std::size_t{0}, DepositSorter::max_shares,
-                          [&](std::size_t share) { add(sorter_.share(share)); });
+        tbb::parallel_for(std::size_t{0}, wave.size(), [&](std::size_t b) { add(wave[b]); });
     }
 
     [[nodiscard]] const TexelSums<Model>& sums() const { return sums_; }
-    [[nodiscard]] const common::RejectedHits& rejected() const { return sorter_.rejected(); }
+
+    [[nodiscard]] common::RejectedHits rejected() const {
+        common::RejectedHits rejected;
+        for (const DepositSorter& sorter : sorters_) rejected += sorter.rejected();
+        return rejected;
+    }
 
     /// Nothing where the surface's irradiance does not come from a division by the cosine: with the flux
     /// weight, and where its exact sum is kept.
     [[nodiscard]] ClampedLight clamped() const {
-        return Model::weight == ShWeight::radiance ? sorter_.clamped() : ClampedLight{};
+        ClampedLight clamped;
+        if (Model::weight == ShWeight::radiance)
+            for (const DepositSorter& sorter : sorters_) clamped += sorter.clamped();
+        return clamped;
     }
 
-    /// The sums and what is kept to sort a wave by share.
-    [[nodiscard]] std::size_t bytes() const { return sums_.bytes() + sorter_.bytes(); }
+    /// The sums and what is kept to sort a batch by share.
+    [[nodiscard]] std::size_t bytes() const {
+        std::size_t bytes = sums_.bytes();
+        for (const DepositSorter& sorter : sorters_) bytes += sorter.bytes();
+        return bytes;
+    }
 
   private:
     /// A texel's sums are asked for this many deposits before they are added to: about the time of a cache
     /// miss.
     static constexpr std::size_t prefetch_distance = 16;
 
-    void add(std::span<const Deposit> deposits) {
+    struct alignas(64) Share {
+        tbb::spin_mutex mutex;
+    };
+
+    void add(const common::HitBatch& hits, std::span<const Deposit> deposits) {
         for (std::size_t i = 0; i < deposits.size(); ++i) {
             if (i + prefetch_distance < deposits.size())
                 sums_.prefetch(deposits[i + prefetch_distance].texel);
             const Deposit& deposit = deposits[i];
-            sums_.add(deposit.texel, deposit.towards_light, deposit.inverse_cosine, deposit.flux);
+            sums_.add(deposit.texel, -hits.direction[deposit.hit], deposit.inverse_cosine,
+                      hits.flux[deposit.hit]);
         }
     }
 
-    DepositSorter sorter_;
+    tbb::enumerable_thread_specific<DepositSorter> sorters_;
     TexelSums<Model> sums_;
+    std::unique_ptr<std::array<Share, DepositSorter::max_shares>> shares_;
 };
 
 }  // namespace shlm

@@ -1,6 +1,6 @@
 #include "shlm/deposit_sorter.h"
 
-#include <oneapi/tbb/parallel_for.h>
+#include <utility>
 
 namespace shlm {
 
@@ -10,70 +10,55 @@ DepositSorter::DepositSorter(const TexelLayout& layout) : layout_(&layout) {
     while (layout.texel_count() > (max_shares << share_shift_)) ++share_shift_;
 }
 
-void DepositSorter::sort(std::span<const HitBatch> wave) {
-    if (batches_.size() < wave.size()) batches_.resize(wave.size());
-    tbb::parallel_for(std::size_t{0}, wave.size(), [&](std::size_t b) { find_texels(wave[b], batches_[b]); });
-    place_batches(wave.size());
-    tbb::parallel_for(std::size_t{0}, wave.size(), [&](std::size_t b) { scatter_to_shares(batches_[b]); });
-    for (std::size_t b = 0; b < wave.size(); ++b) {
-        rejected_ += batches_[b].rejected;
-        clamped_ += batches_[b].clamped;
-    }
+void DepositSorter::sort(const HitBatch& hits) {
+    find_texels(hits);
+    deal_out();
 }
 
-void DepositSorter::find_texels(const HitBatch& hits, BatchDeposits& batch) const {
-    batch.rejected = {};
-    batch.clamped = {};
-    batch.deposits.clear();
-    batch.share_size.fill(0);
+void DepositSorter::find_texels(const HitBatch& hits) {
+    constexpr std::size_t prefetch_distance = 16;
+    deposits_.resize(hits.size());
+    std::size_t next = 0;
     for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (i + prefetch_distance < hits.size())
+            __builtin_prefetch(&layout_->triangle(hits.surface[i + prefetch_distance].triangle));
         const common::SurfaceId& surface = hits.surface[i];
-        const common::Vec3& direction = hits.direction[i];
         const TriangleTexels& triangle = layout_->triangle(surface.triangle);
-        const float cosine = -direction.dot(triangle.normal);
+        const float cosine = -hits.direction[i].dot(triangle.normal);
         if (!common::is_finite(hits, i)) {
-            ++batch.rejected.not_finite;
+            ++rejected_.not_finite;
         } else if (triangle.width == 0) {
-            ++batch.rejected.without_lightmap_uv;
+            ++rejected_.without_lightmap_uv;
         } else if (cosine < 0 && !triangle.both_faces) {
-            ++batch.rejected.back_of_single_sided;
+            ++rejected_.back_of_single_sided;
         } else {
             const float incident = std::abs(cosine);
             const float clamped = std::max(incident, common::min_incident_cosine);
             const float mean_flux = common::mean_component(hits.flux[i]);
-            batch.clamped.flux += mean_flux;
-            if (incident < clamped) batch.clamped.discarded += mean_flux * (1 - incident / clamped);
-            const std::uint32_t texel = texel_at(triangle, surface.u, surface.v, cosine >= 0);
-            batch.deposits.push_back({texel, -direction, 1 / clamped, hits.flux[i]});
-            ++batch.share_size[share_of(texel)];
+            clamped_.flux += mean_flux;
+            if (incident < clamped) clamped_.discarded += mean_flux * (1 - incident / clamped);
+            deposits_[next++] = {static_cast<std::uint32_t>(i),
+                                 texel_at(triangle, surface.u, surface.v, cosine >= 0), 1 / clamped};
         }
     }
+    deposits_.resize(next);
 }
 
-/// Within a share, batch follows batch: each texel gets its deposits in the order of their photons.
-void DepositSorter::place_batches(std::size_t batch_count) {
-    std::uint32_t next = 0;
+void DepositSorter::deal_out() {
+    std::array<std::uint32_t, max_shares> next{};
+    for (const Deposit& deposit : deposits_) ++next[share_of(deposit.texel)];
+    std::uint32_t begin = 0;
     for (std::size_t share = 0; share < max_shares; ++share) {
-        share_begin_[share] = next;
-        for (std::size_t b = 0; b < batch_count; ++b) {
-            batches_[b].share_begin[share] = next;
-            next += batches_[b].share_size[share];
-        }
+        share_begin_[share] = begin;
+        begin += std::exchange(next[share], begin);
     }
-    share_begin_[max_shares] = next;
-    if (by_share_.size() < next) by_share_.resize(next);
-}
-
-void DepositSorter::scatter_to_shares(BatchDeposits& batch) {
-    for (const Deposit& deposit : batch.deposits)
-        by_share_[batch.share_begin[share_of(deposit.texel)]++] = deposit;
+    share_begin_[max_shares] = begin;
+    by_share_.resize(deposits_.size());
+    for (const Deposit& deposit : deposits_) by_share_[next[share_of(deposit.texel)]++] = deposit;
 }
 
 std::size_t DepositSorter::bytes() const {
-    std::size_t bytes = by_share_.capacity() * sizeof(Deposit);
-    for (const BatchDeposits& batch : batches_)
-        bytes += sizeof(batch) + batch.deposits.capacity() * sizeof(Deposit);
-    return bytes;
+    return (deposits_.capacity() + by_share_.capacity()) * sizeof(Deposit);
 }
 
 }  // namespace shlm

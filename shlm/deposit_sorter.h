@@ -1,4 +1,4 @@
-// A wave's hits, each with its texel, dealt out so that threads can add them without atomics.
+// The hits of a batch, each with its texel, dealt out by share of the texels.
 #pragma once
 
 #include <array>
@@ -11,12 +11,11 @@
 
 namespace shlm {
 
-/// A hit on its way to its texel.
+/// Where a hit goes, beside what its HitBatch says of it.
 struct Deposit {
+    std::uint32_t hit;  ///< index in its batch
     std::uint32_t texel;
-    common::Vec3 towards_light;  ///< unit
-    float inverse_cosine;        ///< of incidence on the triangle, clamped by common::min_incident_cosine
-    common::Rgb flux;            ///< as in common::HitBatch
+    float inverse_cosine;  ///< of incidence on the triangle, clamped by common::min_incident_cosine
 };
 
 /// What the clamp of the cosine takes away.
@@ -33,19 +32,20 @@ struct ClampedLight {
     }
 };
 
+/// For one thread: keeps the arrays that it works in, and counts what it leaves out.
 class DepositSorter {
   public:
-    /// Texels are dealt to threads in this many contiguous shares, at most. A share belongs to one thread at
-    /// a time, so sums need no atomics; there are more shares than threads so that unequal ones even out.
+    /// Texels are dealt out in this many contiguous shares, at most. One thread at a time adds to a share, so
+    /// sums need no atomics; with many more shares than threads these seldom wait for each other.
     static constexpr std::size_t max_shares = 64;
 
+    /// `layout` must outlive the sorter.
     explicit DepositSorter(const TexelLayout& layout);
 
-    /// Replaces the deposits by those of another wave; hits that have no texel are counted and left out. Uses
-    /// the threads of the calling arena.
-    void sort(std::span<const common::HitBatch> wave);
+    /// Replaces the deposits by those of another batch; hits that have no texel are counted and left out.
+    void sort(const common::HitBatch& hits);
 
-    /// The wave's deposits into one share of the texels, in the order of their photons.
+    /// The batch's deposits into one share of the texels.
     [[nodiscard]] std::span<const Deposit> share(std::size_t index) const {
         return std::span(by_share_).subspan(share_begin_[index],
                                             share_begin_[index + 1] - share_begin_[index]);
@@ -56,24 +56,14 @@ class DepositSorter {
     [[nodiscard]] std::size_t bytes() const;
 
   private:
-    /// The deposits of one batch, in the batch's order; rejected hits left out.
-    struct BatchDeposits {
-        std::vector<Deposit> deposits;
-        std::array<std::uint32_t, max_shares> share_size;   ///< how many fall in each share of the texels
-        std::array<std::uint32_t, max_shares> share_begin;  ///< where they go in `by_share_`
-        common::RejectedHits rejected;
-        ClampedLight clamped;
-    };
-
-    void find_texels(const common::HitBatch& hits, BatchDeposits& batch) const;
-    void place_batches(std::size_t batch_count);
-    void scatter_to_shares(BatchDeposits& batch);
+    void find_texels(const common::HitBatch& hits);
+    void deal_out();
     [[nodiscard]] std::size_t share_of(std::uint32_t texel) const { return texel >> share_shift_; }
 
     const TexelLayout* layout_;
     unsigned share_shift_ = 0;
-    std::vector<BatchDeposits> batches_;
-    std::vector<Deposit> by_share_;  ///< the wave's, share after share, each in the photons' order
+    std::vector<Deposit> deposits_;  ///< in the batch's order
+    std::vector<Deposit> by_share_;
     std::array<std::uint32_t, max_shares + 1> share_begin_{};  ///< in `by_share_`
     common::RejectedHits rejected_;
     ClampedLight clamped_;

@@ -14,6 +14,7 @@ class Sink {
         : texels_(&texels), gather_(gather), accumulator_(texels.layout) {}
 
     void consume(std::span<const common::HitBatch> wave) { accumulator_.consume(wave); }
+    void add(const common::HitBatch& hits) { accumulator_.add(hits); }
 
     [[nodiscard]] LightMap<Model> finish(float watts_per_flux) const {
         return finish(watts_per_flux, gather_);
@@ -43,7 +44,7 @@ class Sink {
 /// What the paper describes, with the weight that makes it right.
 using PaperModel = TexelModel<2, ShWeight::radiance>;
 
-static_assert(common::MapSink<Sink<PaperModel>>);
+static_assert(common::MapSink<Sink<PaperModel>> && common::UnorderedSink<Sink<PaperModel>>);
 static_assert(common::IrradianceEstimator<LightMap<PaperModel>>);
 
 }  // namespace shlm

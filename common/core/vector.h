@@ -17,7 +17,7 @@ using Vec3 = Imath::V3f;
 using Rgb = Imath::C3f;
 
 inline float max_component(const Rgb& c) {
-    return std::max({c.x, c.y, c.z});
+    return std::max(std::max(c.x, c.y), c.z);
 }
 inline float mean_component(const Rgb& c) {
     return (c.x + c.y + c.z) * (1.0f / 3.0f);

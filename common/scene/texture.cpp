@@ -42,12 +42,13 @@ struct Texels {
 /// wrapping puts beyond it: the other end for repeat, itself for the others.
 Texels texels_around(float coordinate, int size, Wrap wrap) {
     const float place = wrapped(coordinate, wrap) * static_cast<float>(size) - 0.5f;
-    const float first = std::floor(place);
-    const auto index = static_cast<int>(first);
+    const int index = place < 0 ? -1 : static_cast<int>(place);  // std::floor is a call
     const auto inside = [&](int i) {
-        return wrap == Wrap::repeat ? (i + size) % size : std::clamp(i, 0, size - 1);
+        if (i < 0) return wrap == Wrap::repeat ? size - 1 : 0;
+        if (i >= size) return wrap == Wrap::repeat ? i - size : size - 1;
+        return i;
     };
-    return {inside(index), inside(index + 1), place - first};
+    return {inside(index), inside(index + 1), place - static_cast<float>(index)};
 }
 
 }  // namespace
@@ -71,18 +72,25 @@ Texture::Texture(std::string name, int width, int height, std::vector<std::uint8
     }
 }
 
-Rgb Texture::sample(Vec2 texcoord) const {
+Texture::Footprint Texture::footprint(Vec2 texcoord) const {
     const Texels u = texels_around(texcoord.x, width_, wrap_u_);
     const Texels v = texels_around(texcoord.y, height_, wrap_v_);
-    const Rgb upper = texel(u.first, v.first) * (1 - u.weight) + texel(u.second, v.first) * u.weight;
-    const Rgb lower = texel(u.first, v.second) * (1 - u.weight) + texel(u.second, v.second) * u.weight;
-    return upper * (1 - v.weight) + lower * v.weight;
+    const auto byte_of = [this](int x, int y) {
+        return 3 *
+               (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
+    };
+    return {{byte_of(u.first, v.first), byte_of(u.second, v.first), byte_of(u.first, v.second),
+             byte_of(u.second, v.second)},
+            u.weight,
+            v.weight};
 }
 
-Rgb Texture::texel(int x, int y) const {
-    const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
-    const std::uint8_t* rgb = &rgb_[3 * (row + static_cast<std::size_t>(x))];
-    return {linear_of_byte_[rgb[0]], linear_of_byte_[rgb[1]], linear_of_byte_[rgb[2]]};
+Rgb Texture::sample(const Footprint& around) const {
+    const auto& [upper_left, upper_right, lower_left, lower_right] = around.texel;
+    const float left = 1 - around.right;
+    const Rgb upper = linear(upper_left) * left + linear(upper_right) * around.right;
+    const Rgb lower = linear(lower_left) * left + linear(lower_right) * around.right;
+    return upper * (1 - around.lower) + lower * around.lower;
 }
 
 }  // namespace common

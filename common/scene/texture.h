@@ -25,8 +25,23 @@ class Texture {
     Texture(std::string name, int width, int height, std::vector<std::uint8_t> rgb, ColorSpace color_space,
             Wrap wrap_u, Wrap wrap_v);
 
+    /// The four texels around a place, and how they are weighted.
+    struct Footprint {
+        std::array<std::size_t, 4>
+            texel;           ///< first byte of each: upper left, upper right, lower left, lower right
+        float right, lower;  ///< weights, in [0, 1]
+    };
+
     /// Bilinear sample at `texcoord`; linear values in [0, 1].
-    [[nodiscard]] Rgb sample(Vec2 texcoord) const;
+    [[nodiscard]] Rgb sample(Vec2 texcoord) const { return sample(footprint(texcoord)); }
+
+    // The same in two steps, for whoever has many samples to take: what the second reads can be prefetched.
+    [[nodiscard]] Footprint footprint(Vec2 texcoord) const;
+    void prefetch(const Footprint& around) const {
+        __builtin_prefetch(&rgb_[around.texel[0]]);
+        __builtin_prefetch(&rgb_[around.texel[2]]);
+    }
+    [[nodiscard]] Rgb sample(const Footprint& around) const;
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] int width() const { return width_; }
@@ -37,7 +52,10 @@ class Texture {
     [[nodiscard]] std::size_t bytes() const { return rgb_.capacity(); }
 
   private:
-    [[nodiscard]] Rgb texel(int x, int y) const;
+    [[nodiscard]] Rgb linear(std::size_t texel) const {
+        return {linear_of_byte_[rgb_[texel]], linear_of_byte_[rgb_[texel + 1]],
+                linear_of_byte_[rgb_[texel + 2]]};
+    }
 
     std::string name_;
     int width_, height_;

@@ -7,6 +7,8 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <type_traits>
+
 namespace common {
 
 /// Nearest hit of one ray whose direction has nothing to do with the last one's.
@@ -21,6 +23,35 @@ inline void intersect_incoherent(RTCScene scene, RTCRayHit& ray_hit) {
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     rtcIntersect1(scene, &context, &ray_hit);
+#endif
+}
+
+/// Whether the rays of a packet go much the same way. Decides how Embree walks them through the scene, not
+/// what they hit.
+enum class PacketKind { coherent, incoherent };
+
+/// Nearest hits of a packet's rays, where `valid` is -1; the others' `valid` is 0.
+template <class Packet>
+void intersect_packet(const int* valid, RTCScene scene, Packet& packet, PacketKind kind) {
+    constexpr bool sixteen = std::is_same_v<Packet, RTCRayHit16>;
+#if RTC_VERSION_MAJOR >= 4
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags =
+        kind == PacketKind::coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    if constexpr (sixteen)
+        rtcIntersect16(valid, scene, &packet, &arguments);
+    else
+        rtcIntersect8(valid, scene, &packet, &arguments);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = kind == PacketKind::coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                                 : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    if constexpr (sixteen)
+        rtcIntersect16(valid, scene, &context, &packet);
+    else
+        rtcIntersect8(valid, scene, &context, &packet);
 #endif
 }
 

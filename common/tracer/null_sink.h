@@ -7,8 +7,9 @@ namespace common {
 
 struct NullSink {
     void consume(std::span<const HitBatch>) {}
+    void add(const HitBatch&) {}
 };
 
-static_assert(PhotonSink<NullSink>);
+static_assert(UnorderedSink<NullSink>);
 
 }  // namespace common

@@ -136,8 +136,11 @@ void PhotonSource::add(const Emitter& emitter) {
 }
 
 EmittedPhoton PhotonSource::emit(std::uint64_t seed, std::uint64_t index) const {
-    const Uniforms at = random_uniforms(seed, index, 0, RandomPurpose::emission_origin);
-    const Uniforms towards = random_uniforms(seed, index, 0, RandomPurpose::emission_direction);
+    return emit(random_uniforms(seed, index, 0, RandomPurpose::emission_origin),
+                random_uniforms(seed, index, 0, RandomPurpose::emission_direction));
+}
+
+EmittedPhoton PhotonSource::emit(const Uniforms& at, const Uniforms& towards) const {
     // Two numbers make one of 48 bits: 24 would never reach the faintest of many lights.
     const double choice = (at[0] + at[3] * 0x1p-24) * cumulative_.back();
     const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), choice);
@@ -146,6 +149,28 @@ EmittedPhoton PhotonSource::emit(std::uint64_t seed, std::uint64_t index) const 
         std::visit([&](const auto& e) { return emit_from(*scene_, e, at, towards); }, emitters_[chosen]);
     photon.flux /= probability_[chosen];
     return photon;
+}
+
+void PhotonSource::emit(std::uint64_t seed, std::uint64_t first_photon, float surface_offset,
+                        PhotonBatch& photons) const {
+    // The random numbers first, a few photons at a time: as vector code they take a third of the time.
+    constexpr std::size_t together = 64;
+    std::array<Uniforms, together> at, towards;
+    for (std::size_t begin = 0; begin < photons.size(); begin += together) {
+        const std::size_t count = std::min(together, photons.size() - begin);
+        for (std::size_t i = 0; i < count; ++i)
+            at[i] = random_uniforms(seed, first_photon + begin + i, 0, RandomPurpose::emission_origin);
+        for (std::size_t i = 0; i < count; ++i)
+            towards[i] =
+                random_uniforms(seed, first_photon + begin + i, 0, RandomPurpose::emission_direction);
+        for (std::size_t i = 0; i < count; ++i) {
+            const EmittedPhoton photon = emit(at[i], towards[i]);
+            photons.number[begin + i] = static_cast<std::uint32_t>(begin + i);
+            photons.origin.set(begin + i, photon.origin + photon.normal * surface_offset);
+            photons.direction.set(begin + i, photon.direction);
+            photons.flux.set(begin + i, photon.flux);
+        }
+    }
 }
 
 }  // namespace common

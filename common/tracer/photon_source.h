@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/scene/scene.h"
+#include "common/tracer/photon_batch.h"
 
 namespace common {
 
@@ -57,11 +58,18 @@ class PhotonSource {
     /// Photon number `index` of the run with this seed. Lights are chosen in proportion to their power.
     [[nodiscard]] EmittedPhoton emit(std::uint64_t seed, std::uint64_t index) const;
 
+    /// Photons `first_photon`, ... of the run, as `emit` makes them, moved off their lights by
+    /// `surface_offset`; as many as `photons` has room for.
+    void emit(std::uint64_t seed, std::uint64_t first_photon, float surface_offset,
+              PhotonBatch& photons) const;
+
     /// Sum over all lights, W.
     [[nodiscard]] const Rgb& power() const { return power_; }
 
   private:
     void add(const Emitter& emitter);
+    [[nodiscard]] EmittedPhoton emit(const std::array<float, 4>& at,
+                                     const std::array<float, 4>& towards) const;
 
     const Scene* scene_;
     std::vector<Emitter> emitters_;

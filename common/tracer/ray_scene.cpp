@@ -49,6 +49,7 @@ void RayScene::Release::operator()(RTCSceneTy* scene) const {
 
 RayScene::RayScene(const Scene& scene)
     : scene_(&scene),
+      surfaces_(scene),
       offset_(magnitude(scene.bounds) * 16 * std::numeric_limits<float>::epsilon()),
       device_(rtcNewDevice(nullptr)) {
     if (!device_) throw std::runtime_error("Embree does not start on this machine");
@@ -81,6 +82,73 @@ std::optional<SurfaceId> RayScene::nearest(const Vec3& origin, const Vec3& direc
     intersect_incoherent(embree_.get(), ray_hit);
     if (ray_hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return SurfaceId{ray_hit.hit.primID, ray_hit.hit.u, ray_hit.hit.v};
+}
+
+/// Measured with photons in PhotonOrder, against single rays: packets of 16 that stay together are 1.4 to 2
+/// times as fast in scenes of few or evenly spread triangles, and half as fast among many small ones, where
+/// each ray goes its own way soon; packets of 8 that may fall apart are 1.05 to 1.4 times as fast everywhere.
+constexpr std::size_t most_triangles_for_coherent_packets = 50'000;
+
+void RayScene::nearest(const Vec3Array& origin, const Vec3Array& direction, NearestSurfaces& found) const {
+    found.resize(origin.x.size());
+    if (scene_->triangle.size() <= most_triangles_for_coherent_packets)
+        nearest_in_packets<16>(origin, direction, found);
+    else
+        nearest_in_packets<8>(origin, direction, found);
+}
+
+template <int Rays>
+void RayScene::nearest_in_packets(const Vec3Array& origin, const Vec3Array& direction,
+                                  NearestSurfaces& found) const {
+    using Packet = std::conditional_t<Rays == 16, RTCRayHit16, RTCRayHit8>;
+    constexpr PacketKind kind = Rays == 16 ? PacketKind::coherent : PacketKind::incoherent;
+    const std::size_t count = origin.x.size();
+    Packet packet;
+    alignas(64) int valid[Rays];
+    for (int k = 0; k < Rays; ++k) {
+        packet.ray.tnear[k] = 0;
+        packet.ray.time[k] = 0;
+        packet.ray.mask[k] = ~0u;
+        packet.ray.id[k] = 0;
+        packet.ray.flags[k] = 0;
+    }
+    for (std::size_t first = 0; first < count; first += Rays) {
+        const std::size_t rays = std::min<std::size_t>(Rays, count - first);
+        for (std::size_t k = 0; k < Rays; ++k) {
+            const std::size_t i = first + std::min(k, rays - 1);
+            packet.ray.org_x[k] = origin.x[i];
+            packet.ray.org_y[k] = origin.y[i];
+            packet.ray.org_z[k] = origin.z[i];
+            packet.ray.dir_x[k] = direction.x[i];
+            packet.ray.dir_y[k] = direction.y[i];
+            packet.ray.dir_z[k] = direction.z[i];
+            packet.ray.tfar[k] = std::numeric_limits<float>::infinity();
+            packet.hit.primID[k] = no_triangle;
+            packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+            packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+            valid[k] = k < rays ? -1 : 0;
+        }
+        intersect_packet(valid, embree_.get(), packet, kind);
+        std::copy_n(packet.hit.primID, rays, &found.triangle[first]);
+        std::copy_n(packet.hit.u, rays, &found.u[first]);
+        std::copy_n(packet.hit.v, rays, &found.v[first]);
+    }
+    settle_ties(origin, direction, found);
+}
+
+/// A ray that meets an edge hits two triangles at the same distance, and which of them is found depends on
+/// the packet. One by one it does not.
+void RayScene::settle_ties(const Vec3Array& origin, const Vec3Array& direction,
+                           NearestSurfaces& found) const {
+    constexpr float edge = 1e-6f;  // some ulp of 1
+    for (std::size_t i = 0; i < found.u.size(); ++i) {
+        const float nearest_edge = std::min({found.u[i], found.v[i], 1 - found.u[i] - found.v[i]});
+        if (nearest_edge > edge || found.triangle[i] == no_triangle) continue;
+        const SurfaceId alone = nearest(origin[i], direction[i]).value_or(SurfaceId{no_triangle, 0, 0});
+        found.triangle[i] = alone.triangle;
+        found.u[i] = alone.u;
+        found.v[i] = alone.v;
+    }
 }
 
 bool RayScene::occluded(const Vec3& origin, const Vec3& direction, float reach) const {

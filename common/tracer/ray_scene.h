@@ -4,12 +4,31 @@
 #include <memory>
 #include <optional>
 
+#include "common/core/vec3_array.h"
 #include "common/scene/surface_point.h"
+#include "common/tracer/photon_surfaces.h"
 
 struct RTCDeviceTy;
 struct RTCSceneTy;
 
 namespace common {
+
+inline constexpr std::uint32_t no_triangle = 0xffffffff;
+
+/// What rays have hit, one entry a ray: SurfaceId's fields, or no_triangle.
+struct NearestSurfaces {
+    std::vector<std::uint32_t> triangle;
+    std::vector<float> u, v;
+
+    [[nodiscard]] SurfaceId operator[](std::size_t i) const { return {triangle[i], u[i], v[i]}; }
+
+    /// What is new has no defined value.
+    void resize(std::size_t rays) {
+        triangle.resize(rays);
+        u.resize(rays);
+        v.resize(rays);
+    }
+};
 
 class RayScene {
   public:
@@ -18,6 +37,10 @@ class RayScene {
 
     /// Nearest surface from `origin` along `direction` (unit), if there is one.
     [[nodiscard]] std::optional<SurfaceId> nearest(const Vec3& origin, const Vec3& direction) const;
+
+    /// The same for many rays, in packets of neighbours: fastest where these travel alike. To the last bit
+    /// what they would hit one by one, unless surfaces coincide exactly.
+    void nearest(const Vec3Array& origin, const Vec3Array& direction, NearestSurfaces& found) const;
 
     /// Whether a surface lies between `origin` and `origin + direction * reach`. `direction` may have any
     /// length but 0; `reach` may be infinite.
@@ -28,8 +51,10 @@ class RayScene {
     [[nodiscard]] Vec3 off_surface(const Vec3& position, const Vec3& normal) const {
         return position + normal * offset_;
     }
+    [[nodiscard]] float surface_offset() const { return offset_; }
 
     [[nodiscard]] const Scene& scene() const { return *scene_; }
+    [[nodiscard]] const PhotonSurfaces& surfaces() const { return surfaces_; }
 
   private:
     struct Release {
@@ -37,7 +62,13 @@ class RayScene {
         void operator()(RTCSceneTy* scene) const;
     };
 
+    template <int Rays>
+    void nearest_in_packets(const Vec3Array& origin, const Vec3Array& direction,
+                            NearestSurfaces& found) const;
+    void settle_ties(const Vec3Array& origin, const Vec3Array& direction, NearestSurfaces& found) const;
+
     const Scene* scene_;
+    PhotonSurfaces surfaces_;
     float offset_;  ///< world units
     std::unique_ptr<RTCDeviceTy, Release> device_;
     std::unique_ptr<RTCSceneTy, Release> embree_;

@@ -1,18 +1,6 @@
 #include "common/tracer/scatter.h"
 
-#include "common/core/sampling.h"
-
 namespace common {
-namespace {
-
-/// What is left of `flux` after one roulette over `reflected` = flux times reflectance.
-std::optional<Rgb> survive(const Rgb& flux, const Rgb& reflected, float u) {
-    const float before = max_component(flux), after = max_component(reflected);
-    if (!(u * before < after)) return std::nullopt;
-    return reflected * (before / after);
-}
-
-}  // namespace
 
 float fresnel_reflectance(float cos_incident, float eta) {
     const float sin_transmitted_sq = eta * eta * (1 - cos_incident * cos_incident);
@@ -55,16 +43,15 @@ std::optional<ScatteredPhoton> scatter(const Scene& scene, const SurfaceId& surf
     const Vec3& front_normal = scene.geometric_normal[surface.triangle];
     const Vec3 normal = direction.dot(front_normal) < 0 ? front_normal : -front_normal;
 
-    const std::optional<Rgb> survived = survive(flux, flux * base_color_at(scene, surface), u[0]);
-    if (!survived) return std::nullopt;
+    const Roulette roulette = play_roulette(flux, flux * base_color_at(scene, surface), u[0]);
+    if (!roulette.survived) return std::nullopt;
     if (scene.material_of(surface.triangle).kind == SurfaceKind::diffuse)
-        return ScatteredPhoton{Frame(normal).to_world(sample_cosine_hemisphere(u[1], u[2])), normal,
-                               *survived};
+        return ScatteredPhoton{reflect_diffusely(normal, u[1], u[2]), normal, roulette.flux};
 
     const SpecularDirections specular = specular_directions(scene, surface, direction);
     if (specular.refracted && u[3] >= specular.reflectance)
-        return ScatteredPhoton{*specular.refracted, -normal, *survived};
-    return ScatteredPhoton{specular.reflected, normal, *survived};
+        return ScatteredPhoton{*specular.refracted, -normal, roulette.flux};
+    return ScatteredPhoton{specular.reflected, normal, roulette.flux};
 }
 
 }  // namespace common

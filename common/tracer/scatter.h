@@ -4,9 +4,28 @@
 #include <array>
 #include <optional>
 
+#include "common/core/sampling.h"
 #include "common/scene/surface_point.h"
 
 namespace common {
+
+/// One roulette over `reflected` = flux times reflectance: the photon survives with the reflected fraction of
+/// its brightest channel and keeps that channel's flux, so that every channel is right on average and no
+/// photon grows.
+struct Roulette {
+    bool survived;
+    Rgb flux;  ///< of a survivor
+};
+
+[[nodiscard]] inline Roulette play_roulette(const Rgb& flux, const Rgb& reflected, float u) {
+    const float before = max_component(flux), after = max_component(reflected);
+    return {u * before < after, reflected * (before / after)};
+}
+
+/// Unit direction of a Lambertian reflection to the side of `normal` (unit).
+[[nodiscard]] inline Vec3 reflect_diffusely(const Vec3& normal, float u1, float u2) {
+    return Frame(normal).to_world(sample_cosine_hemisphere(u1, u2));
+}
 
 struct ScatteredPhoton {
     Vec3 direction;  ///< unit, away from the surface
@@ -16,11 +35,9 @@ struct ScatteredPhoton {
 
 /// Reflects, refracts or absorbs (nothing returned) a photon that travels along `direction` with `flux`.
 ///
-/// Absorption is Russian roulette: the photon survives with the reflected fraction of its brightest channel
-/// and keeps that channel's flux, so that every channel is right on average and no photon grows. Diffuse
-/// surfaces reflect on both faces around the geometric normal: a normal map bends what is gathered, not the
-/// light's way, which keeps the scene's energy.
-/// `u` holds uniform numbers: [0] roulette, [1], [2] direction, [3] reflection or refraction.
+/// Absorption is Russian roulette. Diffuse surfaces reflect on both faces around the geometric normal: a
+/// normal map bends what is gathered, not the light's way, which keeps the scene's energy. `u` holds uniform
+/// numbers: [0] roulette, [1], [2] direction, [3] reflection or refraction.
 [[nodiscard]] std::optional<ScatteredPhoton> scatter(const Scene& scene, const SurfaceId& surface,
                                                      const Vec3& direction, const Rgb& flux,
                                                      const std::array<float, 4>& u);

@@ -1,71 +1,186 @@
 #include "common/tracer/trace_block.h"
 
+#include <utility>
+
 #include "common/core/random.h"
 #include "common/tracer/scatter.h"
 
 namespace common {
 namespace {
 
-struct Photon {
-    std::uint64_t index;
-    Vec3 origin;
-    Vec3 direction;
-    Rgb flux;
-};
-
-std::vector<Photon> emit_block(const PhotonSource& source, const RayScene& rays, std::uint64_t seed,
-                               std::uint64_t first_photon, std::uint64_t count) {
-    std::vector<Photon> photons;
-    photons.reserve(count);
-    for (std::uint64_t index = first_photon; index < first_photon + count; ++index) {
-        const EmittedPhoton emitted = source.emit(seed, index);
-        photons.push_back(
-            {index, rays.off_surface(emitted.origin, emitted.normal), emitted.direction, emitted.flux});
-    }
-    return photons;
-}
+/// Triangles are asked for this many photons ahead: about the time of a cache miss.
+constexpr std::size_t prefetch_distance = 16;
 
 }  // namespace
 
-PhotonFates& PhotonFates::operator+=(const PhotonFates& other) {
-    emitted += other.emitted;
-    missed += other.missed;
-    escaped += other.escaped;
-    absorbed += other.absorbed;
-    given_up += other.given_up;
-    return *this;
+void TracedBlock::keep_photons(std::uint64_t first, std::uint64_t end) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+        if (hits.photon[i] >= first && hits.photon[i] < end)
+            hits.set(kept++, hits.position[i], hits.direction[i], hits.flux[i], hits.surface[i],
+                     hits.photon[i]);
+    hits.resize(kept);
+    fate.resize(end);
+    fate.erase(fate.begin(), fate.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
-PhotonFates trace_block(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
-                        std::uint64_t first_photon, std::uint64_t count, HitBatch& hits) {
-    const Scene& scene = rays.scene();
-    hits.clear();
-    PhotonFates fates{.emitted = count};
-    std::vector<Photon> alive = emit_block(source, rays, seed, first_photon, count);
+std::uint64_t TracedBlock::photons_with(std::uint64_t wanted, std::uint64_t first) const {
+    std::vector<std::uint64_t> hits_of(photons_per_block, 0);
+    for (const std::uint32_t photon : hits.photon) ++hits_of[photon];
+    std::uint64_t found = 0;
+    for (std::uint64_t photon = first; photon < photons_per_block; ++photon)
+        if ((found += hits_of[photon]) >= wanted) return photon + 1;
+    return photons_per_block;
+}
 
-    for (std::uint32_t event = 0; !alive.empty() && event < max_events; ++event) {
-        std::size_t survivors = 0;
-        for (const Photon& photon : alive) {
-            const std::optional<SurfaceId> surface = rays.nearest(photon.origin, photon.direction);
-            if (!surface) {
-                ++(event == 0 ? fates.missed : fates.escaped);
-                continue;
-            }
-            const Vec3 position = position_at(scene, *surface);
-            if (scene.material_of(surface->triangle).kind == SurfaceKind::diffuse)
-                hits.push_back(position, photon.direction, photon.flux, *surface);
+BlockTracer::BlockTracer(const RayScene& rays, const PhotonSource& source, std::uint64_t seed)
+    : rays_(&rays), source_(&source), seed_(seed), order_(rays.scene().bounds) {}
 
-            const auto u = random_uniforms(seed, photon.index, event, RandomPurpose::scattering);
-            if (const auto next = scatter(scene, *surface, photon.direction, photon.flux, u))
-                alive[survivors++] = {photon.index, rays.off_surface(position, next->normal), next->direction,
-                                      next->flux};
-            else
-                ++fates.absorbed;
-        }
-        alive.resize(survivors);
+void BlockTracer::trace(std::uint64_t block, TracedBlock& traced) {
+    const std::uint64_t first_photon = block * photons_per_block;
+    traced.hits.clear();
+    traced.fate.assign(photons_per_block, PhotonFate::absorbed);
+
+    reflected_.resize(photons_per_block);
+    survived_.assign(photons_per_block, 1);
+    source_->emit(seed_, first_photon, rays_->surface_offset(), reflected_);
+    for (std::uint32_t event = 0; event < max_events; ++event) {
+        const std::span<const std::uint32_t> alive = order_.sort(reflected_, survived_);
+        if (alive.empty()) return;
+        photons_.gather(reflected_, alive);
+        rays_->nearest(photons_.origin, photons_.direction, met_);
+        drop_escaped(event, traced);
+        find_arrivals();
+        look_up_textures();
+        record_hits(traced.hits);
+        reflect_diffuse(first_photon, event);
+        scatter_specular(first_photon, event);
     }
-    fates.given_up = alive.size();
-    return fates;
+    for (std::size_t i = 0; i < reflected_.size(); ++i)
+        if (survived_[i]) traced.fate[reflected_.number[i]] = PhotonFate::given_up;
+}
+
+/// Photons that meet nothing end here.
+void BlockTracer::drop_escaped(std::uint32_t event, TracedBlock& traced) {
+    if (std::find(met_.triangle.begin(), met_.triangle.end(), no_triangle) == met_.triangle.end()) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < photons_.size(); ++i) {
+        if (met_.triangle[i] == no_triangle) {
+            traced.fate[photons_.number[i]] = event == 0 ? PhotonFate::missed : PhotonFate::escaped;
+            continue;
+        }
+        photons_.number[kept] = photons_.number[i];
+        photons_.origin.set(kept, photons_.origin[i]);
+        photons_.direction.set(kept, photons_.direction[i]);
+        photons_.flux.set(kept, photons_.flux[i]);
+        met_.triangle[kept] = met_.triangle[i];
+        met_.u[kept] = met_.u[i];
+        met_.v[kept] = met_.v[i];
+        ++kept;
+    }
+    photons_.resize(kept);
+    met_.resize(kept);
+}
+
+void BlockTracer::find_arrivals() {
+    const std::size_t count = photons_.size();
+    position_.resize(count);
+    normal_.resize(count);
+    base_color_.resize(count);
+    stores_.resize(count);
+    textured_.clear();
+    specular_.clear();
+    const PhotonSurfaces& surfaces = rays_->surfaces();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i + prefetch_distance < count)
+            __builtin_prefetch(&surfaces[met_.triangle[i + prefetch_distance]]);
+        const PhotonSurface& surface = surfaces[met_.triangle[i]];
+        position_.set(i, surface.corner + surface.edge_u * met_.u[i] + surface.edge_v * met_.v[i]);
+        const bool front = photons_.direction[i].dot(surface.normal) < 0;
+        normal_.set(i, front ? surface.normal : -surface.normal);
+        base_color_.set(i, surface.base_color);
+        stores_[i] = surface.kind != PhotonSurface::specular;
+        if (surface.kind == PhotonSurface::textured_diffuse)
+            textured_.push_back(static_cast<std::uint32_t>(i));
+        if (surface.kind == PhotonSurface::specular) specular_.push_back(static_cast<std::uint32_t>(i));
+    }
+}
+
+/// In steps, a few photons at a time: each step finds what the one before has asked for in the cache.
+void BlockTracer::look_up_textures() {
+    constexpr std::size_t together = 32;
+    std::array<Texture::Footprint, together> footprint;
+    const PhotonSurfaces& surfaces = rays_->surfaces();
+    for (std::size_t begin = 0; begin < textured_.size(); begin += together) {
+        const std::span<const std::uint32_t> some =
+            std::span(textured_).subspan(begin, std::min(together, textured_.size() - begin));
+        for (const std::uint32_t i : some) __builtin_prefetch(&surfaces.texture(met_.triangle[i]));
+        for (std::size_t k = 0; k < some.size(); ++k) {
+            const SurfaceTexture& at = surfaces.texture(met_.triangle[some[k]]);
+            footprint[k] = at.texture->footprint(at.texcoord(met_.u[some[k]], met_.v[some[k]]));
+            at.texture->prefetch(footprint[k]);
+        }
+        for (std::size_t k = 0; k < some.size(); ++k) {
+            const std::uint32_t i = some[k];
+            const Rgb factor = surfaces[met_.triangle[i]].base_color;
+            base_color_.set(i, factor * surfaces.texture(met_.triangle[i]).texture->sample(footprint[k]));
+        }
+    }
+}
+
+void BlockTracer::record_hits(HitBatch& hits) {
+    std::size_t next = hits.size();
+    hits.resize(next + photons_.size());
+    for (std::size_t i = 0; i < photons_.size(); ++i) {
+        hits.set(next, position_[i], photons_.direction[i], Rgb(photons_.flux[i]), met_[i],
+                 photons_.number[i]);
+        next += stores_[i];
+    }
+    hits.resize(next);
+}
+
+/// As if all surfaces were diffuse: the few that are not come after. Nothing but vector code: no branch, no
+/// call.
+void BlockTracer::reflect_diffuse(std::uint64_t first_photon, std::uint32_t event) {
+    const std::size_t count = photons_.size();
+    reflected_.resize(count);
+    survived_.resize(count);
+    std::copy(photons_.number.begin(), photons_.number.end(), reflected_.number.begin());
+
+    const std::uint32_t* const number = photons_.number.data();
+    std::uint32_t* const survived = survived_.data();
+    const Vec3View<const float> flux = std::as_const(photons_).flux.view(),
+                                position = std::as_const(position_).view(),
+                                normal = std::as_const(normal_).view(),
+                                base_color = std::as_const(base_color_).view();
+    const Vec3View<float> new_flux = reflected_.flux.view(), new_direction = reflected_.direction.view(),
+                          new_origin = reflected_.origin.view();
+    const float offset = rays_->surface_offset();
+    const std::uint64_t seed = seed_;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto u = random_uniforms(seed, first_photon + number[i], event, RandomPurpose::scattering);
+        const Rgb arriving = flux[i];
+        const Roulette roulette = play_roulette(arriving, arriving * Rgb(base_color[i]), u[0]);
+        survived[i] = roulette.survived;
+        new_flux.set(i, roulette.flux);
+        new_direction.set(i, reflect_diffusely(normal[i], u[1], u[2]));
+        new_origin.set(i, position[i] + normal[i] * offset);
+    }
+}
+
+void BlockTracer::scatter_specular(std::uint64_t first_photon, std::uint32_t event) {
+    for (const std::uint32_t i : specular_) {
+        const auto u =
+            random_uniforms(seed_, first_photon + photons_.number[i], event, RandomPurpose::scattering);
+        const auto scattered =
+            scatter(rays_->scene(), met_[i], photons_.direction[i], Rgb(photons_.flux[i]), u);
+        survived_[i] = scattered.has_value();
+        if (!scattered) continue;
+        reflected_.origin.set(i, rays_->off_surface(position_[i], scattered->normal));
+        reflected_.direction.set(i, scattered->direction);
+        reflected_.flux.set(i, scattered->flux);
+    }
 }
 
 }  // namespace common

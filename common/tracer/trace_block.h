@@ -2,31 +2,71 @@
 #pragma once
 
 #include "common/tracer/hit_batch.h"
+#include "common/tracer/photon_order.h"
 #include "common/tracer/photon_source.h"
 #include "common/tracer/ray_scene.h"
 
 namespace common {
 
-/// Photons traced together; the unit that a run is made of.
-inline constexpr std::uint64_t photons_per_block = 256;
+/// Photons traced together: enough for packets of rays that travel alike, few enough for their hits to stay
+/// in a core's cache.
+inline constexpr std::uint64_t photons_per_block = 4096;
 
 /// A photon that has met this many surfaces is given up, so that a room of perfect mirrors ends.
 inline constexpr std::uint32_t max_events = 4096;
 
-/// How the photons of a block, or of a run, ended. Every emitted photon is in exactly one of the last four.
-struct PhotonFates {
-    std::uint64_t emitted = 0;
-    std::uint64_t missed = 0;   ///< met no surface at all
-    std::uint64_t escaped = 0;  ///< left the scene after meeting a surface
-    std::uint64_t absorbed = 0;
-    std::uint64_t given_up = 0;  ///< at max_events
-
-    PhotonFates& operator+=(const PhotonFates& other);
+enum class PhotonFate : std::uint8_t {
+    missed,   ///< met no surface at all
+    escaped,  ///< left the scene after meeting a surface
+    absorbed,
+    given_up  ///< at max_events
 };
 
-/// Traces `count` photons, numbers `first_photon` and on, of the run with this seed. `hits` is emptied and
-/// filled in, ordered by event number and then by photon.
-PhotonFates trace_block(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
-                        std::uint64_t first_photon, std::uint64_t count, HitBatch& hits);
+struct TracedBlock {
+    HitBatch hits;  ///< by event number; within an event in the order in which they were traced
+    std::vector<PhotonFate> fate;  ///< one per photon
+
+    /// Leaves out what comes before photon `first` and from photon `end` on, counted from the block's first.
+    void keep_photons(std::uint64_t first, std::uint64_t end);
+
+    /// The least number of the block's photons that have at least `hits` hits, from photon `first` on;
+    /// photons_per_block where all have not.
+    [[nodiscard]] std::uint64_t photons_with(std::uint64_t hits, std::uint64_t first) const;
+};
+
+/// Traces whole blocks of one run. For one thread: keeps the arrays that it works in.
+class BlockTracer {
+  public:
+    /// Both must outlive the tracer.
+    BlockTracer(const RayScene& rays, const PhotonSource& source, std::uint64_t seed);
+
+    /// Block b has the run's photons b * photons_per_block and on. What happens to a photon does not depend
+    /// on the others.
+    void trace(std::uint64_t block, TracedBlock& traced);
+
+  private:
+    void drop_escaped(std::uint32_t event, TracedBlock& traced);
+    void find_arrivals();
+    void look_up_textures();
+    void record_hits(HitBatch& hits);
+    void reflect_diffuse(std::uint64_t first_photon, std::uint32_t event);
+    void scatter_specular(std::uint64_t first_photon, std::uint32_t event);
+
+    const RayScene* rays_;
+    const PhotonSource* source_;
+    std::uint64_t seed_;
+
+    PhotonOrder order_;
+    PhotonBatch photons_;                  ///< under way to their next surface
+    NearestSurfaces met_;                  ///< which surface that is
+    Vec3Array position_;                   ///< where they meet it
+    Vec3Array normal_;                     ///< of the side that they meet, unit
+    Vec3Array base_color_;                 ///< of what they meet
+    std::vector<std::uint32_t> stores_;    ///< whether it is diffuse, 0 or 1
+    std::vector<std::uint32_t> textured_;  ///< those that meet a texture
+    std::vector<std::uint32_t> specular_;  ///< those that meet a mirror or glass
+    PhotonBatch reflected_;                ///< as they leave it again
+    std::vector<std::uint32_t> survived_;  ///< whether they do, 0 or 1
+};
 
 }  // namespace common

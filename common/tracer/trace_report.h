@@ -1,0 +1,54 @@
+// What a run is asked for, and what has become of it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "common/tracer/trace_block.h"
+
+namespace common {
+
+/// How the photons of a run ended. Every emitted photon is in exactly one of the last four.
+struct PhotonFates {
+    std::uint64_t emitted = 0;
+    std::uint64_t missed = 0;
+    std::uint64_t escaped = 0;
+    std::uint64_t absorbed = 0;
+    std::uint64_t given_up = 0;
+
+    void add(std::span<const PhotonFate> photons);
+    PhotonFates& operator+=(const PhotonFates& other);
+};
+
+struct TraceReport {
+    PhotonFates fates;
+    std::uint64_t hits = 0;
+    double trace_seconds = 0;  ///< wall time outside the sink
+    double sink_seconds = 0;   ///< wall time inside the sink
+    bool interrupted = false;
+
+    /// What turns HitBatch::flux into W. The only place where the number of emitted photons is divided by.
+    [[nodiscard]] float watts_per_flux() const {
+        return fates.emitted == 0 ? 0.0f : static_cast<float>(1.0 / static_cast<double>(fates.emitted));
+    }
+};
+
+/// When a run is long enough: one of the two is asked for, the other is 0.
+struct TraceTarget {
+    std::uint64_t photons = 0;  ///< emitted, exactly
+    std::uint64_t hits = 0;     ///< at least: the run ends with the photon that reaches them
+    std::uint64_t first_photon = 0;
+
+    [[nodiscard]] bool reached_by(const TraceReport& report) const {
+        return (photons == 0 || report.fates.emitted >= photons) && (hits == 0 || report.hits >= hits);
+    }
+    /// The photon that comes next.
+    [[nodiscard]] std::uint64_t next_photon(const TraceReport& so_far) const {
+        return first_photon + so_far.fates.emitted;
+    }
+};
+
+/// Throws InputError where so many photons have met nothing that the target will not be reached.
+void check_that_photons_hit(const TraceReport& so_far, const TraceTarget& target);
+
+}  // namespace common

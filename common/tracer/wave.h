@@ -1,0 +1,138 @@
+// Blocks traced between two looks at the target, in the two ways that sinks want their hits.
+#pragma once
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <chrono>
+
+#include "common/tracer/trace_report.h"
+
+namespace common {
+
+/// Blocks whose hits are kept until the sink reads them, at most: enough to keep every thread busy.
+inline constexpr std::size_t max_blocks_per_ordered_wave = 32;
+
+/// Blocks between two calls of TraceProgress, at most: enough for threads to wait for the last one for a
+/// small part of the time.
+inline constexpr std::size_t max_blocks_per_unordered_wave = 256;
+
+/// How many blocks the next ordered wave should have so as not to trace much more than the target needs.
+/// Costs time only when wrong: the run ends at the same photon for any size of wave.
+[[nodiscard]] std::size_t blocks_in_next_wave(const TraceReport& so_far, const TraceTarget& target);
+
+/// How many blocks can be traced without reaching the target: 0 where it is near, where nothing is known yet,
+/// and in the middle of a block.
+[[nodiscard]] std::size_t whole_blocks_ahead(const TraceReport& so_far, const TraceTarget& target);
+
+/// Leaves of a block, the one that has the run's next photon, those photons that the run still needs, and
+/// adds them to the report.
+void take_photons(TracedBlock& block, const TraceTarget& target, TraceReport& report);
+
+class Stopclock {
+  public:
+    /// Seconds since the last call, or since it was made.
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Traces a wave whole, then gives it to the sink as one, cut where the target is reached.
+class OrderedWaves {
+  public:
+    OrderedWaves(const RayScene& rays, const PhotonSource& source, std::uint64_t seed)
+        : tracers_([&rays, &source, seed] { return BlockTracer(rays, source, seed); }) {}
+
+    template <PhotonSink Sink>
+    void trace(const TraceTarget& target, Sink& sink, TraceReport& report) {
+        Stopclock clock;
+        const std::size_t blocks = blocks_in_next_wave(report, target);
+        const std::uint64_t first_block = target.next_photon(report) / photons_per_block;
+        if (blocks_.size() < blocks) blocks_.resize(blocks);
+        if (batches_.size() < blocks) batches_.resize(blocks);
+        tbb::parallel_for(std::size_t{0}, blocks,
+                          [&](std::size_t i) { tracers_.local().trace(first_block + i, blocks_[i]); });
+        std::size_t taken = 0;
+        for (; taken < blocks && !target.reached_by(report); ++taken) {
+            take_photons(blocks_[taken], target, report);
+            std::swap(batches_[taken], blocks_[taken].hits);
+        }
+        report.trace_seconds += clock.lap();
+        sink.consume(std::span<const HitBatch>(batches_).first(taken));
+        report.sink_seconds += clock.lap();
+    }
+
+  private:
+    tbb::enumerable_thread_specific<BlockTracer> tracers_;
+    std::vector<TracedBlock> blocks_;
+    std::vector<HitBatch> batches_;
+};
+
+/// Each thread gives each block to the sink as soon as it is traced.
+class UnorderedWaves {
+  public:
+    UnorderedWaves(const RayScene& rays, const PhotonSource& source, std::uint64_t seed)
+        : workers_([&rays, &source, seed] { return Worker(rays, source, seed); }) {}
+
+    /// `blocks` must begin at a block's first photon and not reach the target.
+    template <UnorderedSink Sink>
+    void trace(std::size_t blocks, const TraceTarget& target, Sink& sink, TraceReport& report) {
+        Stopclock clock;
+        const std::uint64_t first_block = target.next_photon(report) / photons_per_block;
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1),
+                          [&](const tbb::blocked_range<std::size_t>& range) {
+                              Worker& worker = workers_.local();
+                              for (std::size_t i = range.begin(); i < range.end(); ++i)
+                                  worker.trace(first_block + i, sink);
+                          });
+        TraceReport wave;
+        for (Worker& worker : workers_) worker.report_to(wave);
+        report.fates += wave.fates;
+        report.hits += wave.hits;
+        // Threads trace and store at the same time: the wall time is shared out as their time was.
+        const double wall = clock.lap(), worked = wave.trace_seconds + wave.sink_seconds;
+        report.sink_seconds += wall * wave.sink_seconds / worked;
+        report.trace_seconds += wall * wave.trace_seconds / worked;
+    }
+
+  private:
+    /// One thread's.
+    class Worker {
+      public:
+        Worker(const RayScene& rays, const PhotonSource& source, std::uint64_t seed)
+            : tracer_(rays, source, seed) {}
+
+        template <UnorderedSink Sink>
+        void trace(std::uint64_t block, Sink& sink) {
+            Stopclock clock;
+            tracer_.trace(block, traced_);
+            done_.fates.add(traced_.fate);
+            done_.hits += traced_.hits.size();
+            done_.trace_seconds += clock.lap();
+            sink.add(traced_.hits);
+            done_.sink_seconds += clock.lap();
+        }
+
+        /// Adds what was done since the last time.
+        void report_to(TraceReport& report) {
+            report.fates += done_.fates;
+            report.hits += done_.hits;
+            report.trace_seconds += done_.trace_seconds;
+            report.sink_seconds += done_.sink_seconds;
+            done_ = {};
+        }
+
+      private:
+        BlockTracer tracer_;
+        TracedBlock traced_;
+        TraceReport done_;
+    };
+
+    tbb::enumerable_thread_specific<Worker> workers_;
+};
+
+}  // namespace common

@@ -14,7 +14,7 @@ using photonmap::FlannIncrementalPhotonSink;
 using photonmap::FlannPhotonSink;
 using photonmap::PhotonStorage;
 
-constexpr std::uint64_t photon_count = count_for(500'000, 20'000);
+constexpr std::uint64_t photon_count = common::photons_per_block * count_for(120, 10);
 
 Scene lit_box(const Rgb& albedo) {
     Scene scene = closed_box(diffuse(albedo));

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "common/core/input_error.h"
 #include "common/tracer/null_sink.h"
 #include "tests/statistics.h"
@@ -48,16 +50,75 @@ TEST(Tracer, GivesTheSameHitsOnAnyNumberOfThreads) {
     }
 }
 
-TEST(Tracer, LongerRunBeginsWithTheShorterOne) {
+/// Hits with their photons' numbers in the run.
+struct NumberedHits {
+    common::HitBatch hits;
+    std::vector<std::uint64_t> photon;
+    std::uint64_t blocks = 0;
+
+    void consume(std::span<const common::HitBatch> wave) {
+        for (const common::HitBatch& batch : wave) {
+            for (std::size_t i = 0; i < batch.size(); ++i) {
+                hits.push_back(batch.position[i], batch.direction[i], batch.flux[i], batch.surface[i]);
+                photon.push_back(blocks * common::photons_per_block + batch.photon[i]);
+            }
+            ++blocks;
+        }
+    }
+
+    [[nodiscard]] common::HitBatch of_photons(std::uint64_t first, std::uint64_t end) const {
+        common::HitBatch some;
+        for (std::size_t i = 0; i < hits.size(); ++i)
+            if (photon[i] >= first && photon[i] < end)
+                some.push_back(hits.position[i], hits.direction[i], hits.flux[i], hits.surface[i]);
+        return some;
+    }
+};
+
+TEST(Tracer, EveryRunHasTheSamePhotons) {
     const Scene scene = furnished_room();
-    const TracedRun longest = record(scene, 2, {.photons = 30'000});
-    for (const TraceTarget target : {TraceTarget{.photons = 256}, TraceTarget{.photons = 5'120},
-                                     TraceTarget{.hits = 1}, TraceTarget{.hits = 3'000}}) {
+    NumberedHits longest;
+    trace(scene, 2, {.photons = 30'000}, longest);
+    for (const TraceTarget target :
+         {TraceTarget{.photons = 256}, TraceTarget{.photons = 5'120}, TraceTarget{.hits = 1},
+          TraceTarget{.hits = 30'000}, TraceTarget{.photons = 9'000, .first_photon = 4'000},
+          TraceTarget{.hits = 3'000, .first_photon = 8'192}}) {
         const TracedRun run = record(scene, 2, target);
         EXPECT_GT(run.hits.size(), 0u);
         EXPECT_EQ(run.hits.size(), run.report.hits);
-        EXPECT_TRUE(begins_with(longest.hits, run.hits))
-            << "target " << target.photons << " photons, " << target.hits << " hits";
+        EXPECT_TRUE(same_hits(run.hits, longest.of_photons(target.first_photon,
+                                                           target.first_photon + run.report.fates.emitted)))
+            << "target " << target.photons << " photons, " << target.hits << " hits from photon "
+            << target.first_photon;
+    }
+}
+
+/// Counts what it is given by several threads at once.
+struct UnorderedCount {
+    std::atomic<std::uint64_t> hits = 0, at_once = 0;
+
+    void consume(std::span<const common::HitBatch> wave) {
+        for (const common::HitBatch& batch : wave) hits += batch.size();
+    }
+    void add(const common::HitBatch& batch) {
+        hits += batch.size();
+        at_once += batch.size();
+    }
+};
+
+TEST(Tracer, UnorderedSinkGetsTheSameRun) {
+    for (const TraceTarget target :
+         {TraceTarget{.photons = 100'001}, TraceTarget{.hits = 300'000},
+          TraceTarget{.photons = 200'000, .first_photon = 100}}) {
+        UnorderedCount sink;
+        const TraceReport unordered = trace(furnished_room(), 10, target, sink);
+        const TraceReport ordered = record(furnished_room(), 10, target).report;
+        EXPECT_EQ(sink.hits, unordered.hits);
+        EXPECT_GT(sink.at_once, 0u);
+        EXPECT_EQ(unordered.hits, ordered.hits);
+        EXPECT_EQ(unordered.fates.emitted, ordered.fates.emitted);
+        EXPECT_EQ(unordered.fates.absorbed, ordered.fates.absorbed);
+        EXPECT_EQ(unordered.fates.given_up, ordered.fates.given_up);
     }
 }
 
@@ -84,16 +145,14 @@ TEST(Tracer, AccountsForEveryPhoton) {
     EXPECT_FLOAT_EQ(closed.watts_per_flux(), 1 / 20'000.0f);
 }
 
-TEST(Tracer, EndsAtTheFirstBlockThatReachesTheHits) {
+TEST(Tracer, EndsWithThePhotonThatReachesTheHits) {
     for (const Scene& scene : {furnished_room(), open_scene()})
         for (const std::uint64_t wanted : {1u, 255u, 1000u, 40'000u}) {
             const TraceReport report = record(scene, 4, {.hits = wanted}).report;
-            EXPECT_EQ(report.fates.emitted % common::photons_per_block, 0u);
             EXPECT_GE(report.hits, wanted);
-            if (report.fates.emitted == common::photons_per_block) continue;
-            const TraceReport shorter =
-                record(scene, 4, {.photons = report.fates.emitted - common::photons_per_block}).report;
-            EXPECT_LT(shorter.hits, wanted) << "a block less was enough";
+            if (report.fates.emitted == 1) continue;
+            const TraceReport shorter = record(scene, 4, {.photons = report.fates.emitted - 1}).report;
+            EXPECT_LT(shorter.hits, wanted) << "a photon less was enough";
         }
 }
 

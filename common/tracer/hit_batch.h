@@ -24,6 +24,14 @@ struct HitBatch {
 
     void clear() { resize(0); }
 
+    void reserve(std::size_t hits) {
+        position.reserve(hits);
+        direction.reserve(hits);
+        flux.reserve(hits);
+        surface.reserve(hits);
+        photon.reserve(hits);
+    }
+
     /// What is new has no defined value.
     void resize(std::size_t hits) {
         position.resize(hits);

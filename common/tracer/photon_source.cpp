@@ -12,8 +12,6 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-using Uniforms = std::array<float, 4>;
-
 // --- power: total flux, W
 
 Rgb power_of(const AreaEmitter& e) {
@@ -41,42 +39,40 @@ Rgb power_of(const SkyEmitter& e) {
 
 // --- emission: a photon that carries the emitter's whole power
 
-EmittedPhoton emit_from(const Scene& scene, const AreaEmitter& e, const Uniforms& at,
-                        const Uniforms& towards) {
-    const Vec2 uv = sample_triangle(at[1], at[2]);
-    const SurfaceId surface{e.triangle, uv.x, uv.y};
-    const bool from_back = e.both_faces && towards[2] < 0.5f;
-    const Vec3 normal = scene.geometric_normal[e.triangle] * (from_back ? -1.0f : 1.0f);
+EmittedPhoton emit_from(const Scene& scene, const AreaEmitter& e, const EmissionNumbers& numbers) {
+    const Vec2 uv = sample_triangle(numbers.at[1], numbers.at[2]);
+    const bool from_back = e.both_faces && numbers.towards[2] < 0.5f;
+    const float side = from_back ? -1.0f : 1.0f;
+    const Rgb radiance = e.textured ? emitted_radiance_at(scene, {e.triangle, uv.x, uv.y}) : e.mean_radiance;
     const float emitting_area = e.area * (e.both_faces ? 2.0f : 1.0f);
-    return {position_at(scene, surface),
-            Frame(normal).to_world(sample_cosine_hemisphere(towards[0], towards[1])), normal,
-            emitted_radiance_at(scene, surface) * (pi * emitting_area)};
+    return {e.corner + e.edge_u * uv.x + e.edge_v * uv.y, e.frame.to_world(numbers.lobe) * side,
+            e.frame.normal * side, radiance * (pi * emitting_area)};
 }
 
-EmittedPhoton emit_from(const Scene&, const PointEmitter& e, const Uniforms&, const Uniforms& towards) {
-    const Vec3 direction = sample_sphere(towards[0], towards[1]);
+EmittedPhoton emit_from(const Scene&, const PointEmitter& e, const EmissionNumbers& numbers) {
+    const Vec3 direction = sample_sphere(numbers.towards[0], numbers.towards[1]);
     return {e.light.position, direction, direction, power_of(e)};
 }
 
 /// Uniform over the cone, weighted by the falloff at the sampled angle.
-EmittedPhoton emit_from(const Scene&, const SpotEmitter& e, const Uniforms&, const Uniforms& towards) {
+EmittedPhoton emit_from(const Scene&, const SpotEmitter& e, const EmissionNumbers& numbers) {
     const float inner = e.light.cos_inner_angle, outer = e.light.cos_outer_angle;
-    const Vec3 local = sample_cone(outer, towards[0], towards[1]);
+    const Vec3 local = sample_cone(outer, numbers.towards[0], numbers.towards[1]);
     const float ramp = std::clamp((local.z - outer) / std::max(inner - outer, 1e-6f), 0.0f, 1.0f);
     const Vec3 direction = Frame(e.light.axis).to_world(local);
     return {e.light.position, direction, direction, e.light.intensity * (ramp * ramp * 2 * pi * (1 - outer))};
 }
 
-EmittedPhoton emit_from(const Scene&, const DirectionalEmitter& e, const Uniforms& at, const Uniforms&) {
+EmittedPhoton emit_from(const Scene&, const DirectionalEmitter& e, const EmissionNumbers& numbers) {
     const Frame frame(e.light.direction);
-    const Vec2 disc = sample_disc(at[1], at[2]) * e.radius;
+    const Vec2 disc = sample_disc(numbers.at[1], numbers.at[2]) * e.radius;
     return {e.center + frame.to_world({disc.x, disc.y, -e.radius}), e.light.direction, e.light.direction,
             power_of(e)};
 }
 
-EmittedPhoton emit_from(const Scene&, const SkyEmitter& e, const Uniforms& at, const Uniforms& towards) {
-    const Vec3 outward = sample_sphere(at[1], at[2]);
-    const Vec3 direction = Frame(-outward).to_world(sample_cosine_hemisphere(towards[0], towards[1]));
+EmittedPhoton emit_from(const Scene&, const SkyEmitter& e, const EmissionNumbers& numbers) {
+    const Vec3 outward = sample_sphere(numbers.at[1], numbers.at[2]);
+    const Vec3 direction = Frame(-outward).to_world(numbers.lobe);
     return {e.center + outward * e.radius, direction, direction, power_of(e)};
 }
 
@@ -99,13 +95,32 @@ Rgb mean_emitted_radiance(const Scene& scene, std::uint32_t triangle) {
     return sum * ((1 - least_share) / (steps * steps)) + material.emitted_radiance * least_share;
 }
 
+EmissionNumbers emission_numbers(std::uint64_t seed, std::uint64_t index) {
+    const auto at = random_uniforms(seed, index, 0, RandomPurpose::emission_origin);
+    const auto towards = random_uniforms(seed, index, 0, RandomPurpose::emission_direction);
+    return {at, towards, sample_cosine_hemisphere(towards[0], towards[1])};
+}
+
+AreaEmitter area_emitter(const Scene& scene, std::uint32_t triangle) {
+    const Material& material = scene.material_of(triangle);
+    const auto [a, b, c] = scene.triangle[triangle];
+    const Vec3& corner = scene.position[a];
+    return {triangle,
+            material.double_sided,
+            material.emissive_texture.texture != no_texture,
+            triangle_area(scene, triangle),
+            mean_emitted_radiance(scene, triangle),
+            corner,
+            scene.position[b] - corner,
+            scene.position[c] - corner,
+            Frame(scene.geometric_normal[triangle])};
+}
+
 }  // namespace
 
 PhotonSource::PhotonSource(const Scene& scene) : scene_(&scene) {
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t)
-        if (const Material& material = scene.material_of(t); material.emits())
-            add(AreaEmitter{t, material.double_sided, triangle_area(scene, t),
-                            mean_emitted_radiance(scene, t)});
+        if (scene.material_of(t).emits()) add(area_emitter(scene, t));
     for (const PointLight& light : scene.point_light) add(PointEmitter{light});
     for (const SpotLight& light : scene.spot_light) add(SpotEmitter{light});
     const Vec3 center = scene.bounds.center();
@@ -122,7 +137,7 @@ PhotonSource::PhotonSource(const Scene& scene) : scene_(&scene) {
         throw InputError(scene.source + ": its lights are too bright for float");
     for (const Emitter& emitter : emitters_) {
         const Rgb power = std::visit([](const auto& e) { return power_of(e); }, emitter);
-        probability_.push_back(static_cast<float>(mean_component(power) / total));
+        inverse_probability_.push_back(static_cast<float>(total / mean_component(power)));
     }
 }
 
@@ -136,35 +151,30 @@ void PhotonSource::add(const Emitter& emitter) {
 }
 
 EmittedPhoton PhotonSource::emit(std::uint64_t seed, std::uint64_t index) const {
-    return emit(random_uniforms(seed, index, 0, RandomPurpose::emission_origin),
-                random_uniforms(seed, index, 0, RandomPurpose::emission_direction));
+    return emit(emission_numbers(seed, index));
 }
 
-EmittedPhoton PhotonSource::emit(const Uniforms& at, const Uniforms& towards) const {
+EmittedPhoton PhotonSource::emit(const EmissionNumbers& numbers) const {
     // Two numbers make one of 48 bits: 24 would never reach the faintest of many lights.
-    const double choice = (at[0] + at[3] * 0x1p-24) * cumulative_.back();
+    const double choice = (numbers.at[0] + numbers.at[3] * 0x1p-24) * cumulative_.back();
     const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), choice);
     const std::size_t chosen = std::min<std::size_t>(found - cumulative_.begin(), emitters_.size() - 1);
     EmittedPhoton photon =
-        std::visit([&](const auto& e) { return emit_from(*scene_, e, at, towards); }, emitters_[chosen]);
-    photon.flux /= probability_[chosen];
+        std::visit([&](const auto& e) { return emit_from(*scene_, e, numbers); }, emitters_[chosen]);
+    photon.flux *= inverse_probability_[chosen];
     return photon;
 }
 
 void PhotonSource::emit(std::uint64_t seed, std::uint64_t first_photon, float surface_offset,
                         PhotonBatch& photons) const {
-    // The random numbers first, a few photons at a time: as vector code they take a third of the time.
+    // The random numbers first, a few photons at a time: that loop becomes vector code.
     constexpr std::size_t together = 64;
-    std::array<Uniforms, together> at, towards;
+    std::array<EmissionNumbers, together> numbers;
     for (std::size_t begin = 0; begin < photons.size(); begin += together) {
         const std::size_t count = std::min(together, photons.size() - begin);
-        for (std::size_t i = 0; i < count; ++i)
-            at[i] = random_uniforms(seed, first_photon + begin + i, 0, RandomPurpose::emission_origin);
-        for (std::size_t i = 0; i < count; ++i)
-            towards[i] =
-                random_uniforms(seed, first_photon + begin + i, 0, RandomPurpose::emission_direction);
+        for (std::size_t i = 0; i < count; ++i) numbers[i] = emission_numbers(seed, first_photon + begin + i);
         for (std::size_t i = 0; i < count; ++i) {
-            const EmittedPhoton photon = emit(at[i], towards[i]);
+            const EmittedPhoton photon = emit(numbers[i]);
             photons.number[begin + i] = static_cast<std::uint32_t>(begin + i);
             photons.origin.set(begin + i, photon.origin + photon.normal * surface_offset);
             photons.direction.set(begin + i, photon.direction);

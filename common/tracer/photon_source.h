@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "common/core/sampling.h"
 #include "common/scene/scene.h"
 #include "common/tracer/photon_batch.h"
 
@@ -22,8 +23,11 @@ struct EmittedPhoton {
 struct AreaEmitter {
     std::uint32_t triangle;
     bool both_faces;
+    bool textured;
     float area;
-    Rgb mean_radiance;  ///< over the triangle; chooses the emitter, not the photon's flux
+    Rgb mean_radiance;  ///< over the triangle; chooses the emitter, and is what it emits if not textured
+    Vec3 corner, edge_u, edge_v;
+    Frame frame;  ///< around the front normal
 };
 
 struct PointEmitter {
@@ -50,6 +54,12 @@ struct SkyEmitter {
 
 using Emitter = std::variant<AreaEmitter, PointEmitter, SpotEmitter, DirectionalEmitter, SkyEmitter>;
 
+/// The random numbers of one emission.
+struct EmissionNumbers {
+    std::array<float, 4> at, towards;  ///< uniform
+    Vec3 lobe;                         ///< cosine-distributed around +z, made of `towards`
+};
+
 class PhotonSource {
   public:
     /// Throws InputError where the scene has no light. `scene` must outlive this object.
@@ -68,12 +78,11 @@ class PhotonSource {
 
   private:
     void add(const Emitter& emitter);
-    [[nodiscard]] EmittedPhoton emit(const std::array<float, 4>& at,
-                                     const std::array<float, 4>& towards) const;
+    [[nodiscard]] EmittedPhoton emit(const EmissionNumbers& numbers) const;
 
     const Scene* scene_;
     std::vector<Emitter> emitters_;
-    std::vector<float> probability_;  ///< of choosing each emitter
+    std::vector<float> inverse_probability_;  ///< of choosing each emitter
     std::vector<double>
         cumulative_;  ///< sum of powers up to and with each emitter, mean over the channels, W
     Rgb power_{0, 0, 0};

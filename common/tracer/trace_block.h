@@ -29,8 +29,8 @@ struct TracedBlock {
     /// Leaves out what comes before photon `first` and from photon `end` on, counted from the block's first.
     void keep_photons(std::uint64_t first, std::uint64_t end);
 
-    /// The least number of the block's photons that have at least `hits` hits, from photon `first` on;
-    /// photons_per_block where all have not.
+    /// The number of the photon after the one that, from photon `first` on, makes it `hits` hits;
+    /// photons_per_block where none does.
     [[nodiscard]] std::uint64_t photons_with(std::uint64_t hits, std::uint64_t first) const;
 };
 

@@ -33,14 +33,20 @@ struct TraceReport {
     }
 };
 
-/// When a run is long enough: one of the two is asked for, the other is 0.
+/// When a run is long enough: with the photon that reaches both.
 struct TraceTarget {
-    std::uint64_t photons = 0;  ///< emitted, exactly
-    std::uint64_t hits = 0;     ///< at least: the run ends with the photon that reaches them
+    std::uint64_t photons = 0;  ///< emitted, at least
+    std::uint64_t hits = 0;     ///< at least
     std::uint64_t first_photon = 0;
 
     [[nodiscard]] bool reached_by(const TraceReport& report) const {
-        return (photons == 0 || report.fates.emitted >= photons) && (hits == 0 || report.hits >= hits);
+        return missing_photons(report) == 0 && missing_hits(report) == 0;
+    }
+    [[nodiscard]] std::uint64_t missing_photons(const TraceReport& so_far) const {
+        return photons > so_far.fates.emitted ? photons - so_far.fates.emitted : 0;
+    }
+    [[nodiscard]] std::uint64_t missing_hits(const TraceReport& so_far) const {
+        return hits > so_far.hits ? hits - so_far.hits : 0;
     }
     /// The photon that comes next.
     [[nodiscard]] std::uint64_t next_photon(const TraceReport& so_far) const {

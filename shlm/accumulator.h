@@ -18,9 +18,9 @@ template <class Model>
 class Accumulator {
   public:
     /// `layout` must outlive the accumulator.
-    explicit Accumulator(const TexelLayout& layout)
-        : sorters_([&layout] { return DepositSorter(layout); }),
-          sums_(layout.texel_count()),
+    Accumulator(const TexelLayout& layout, const Quantum& quantum)
+        : sorters_([&layout, quantum] { return DepositSorter(layout, quantum); }),
+          sums_(layout.texel_count(), quantum),
           shares_(std::make_unique<std::array<Share, DepositSorter::max_shares>>()) {}
 
     /// Adds a batch's hits; several threads may do so at once.

@@ -6,7 +6,8 @@ namespace shlm {
 
 using common::HitBatch;
 
-DepositSorter::DepositSorter(const TexelLayout& layout) : layout_(&layout) {
+DepositSorter::DepositSorter(const TexelLayout& layout, const Quantum& quantum)
+    : layout_(&layout), clamped_light_per_flux_(static_cast<float>(1 / quantum.clamped_light_unit())) {
     while (layout.texel_count() > (max_shares << share_shift_)) ++share_shift_;
 }
 
@@ -34,9 +35,7 @@ void DepositSorter::find_texels(const HitBatch& hits) {
         } else {
             const float incident = std::abs(cosine);
             const float clamped = std::max(incident, common::min_incident_cosine);
-            const float mean_flux = common::mean_component(hits.flux[i]);
-            clamped_.flux += mean_flux;
-            if (incident < clamped) clamped_.discarded += mean_flux * (1 - incident / clamped);
+            clamped_.add(common::mean_component(hits.flux[i]) * clamped_light_per_flux_, incident);
             deposits_[next++] = {static_cast<std::uint32_t>(i),
                                  texel_at(triangle, surface.u, surface.v, cosine >= 0), 1 / clamped};
         }

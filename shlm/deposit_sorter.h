@@ -7,6 +7,7 @@
 
 #include "common/estimator/irradiance_estimator.h"
 #include "common/tracer/hit_batch.h"
+#include "shlm/clamped_light.h"
 #include "shlm/texel_layout.h"
 
 namespace shlm {
@@ -18,20 +19,6 @@ struct Deposit {
     float inverse_cosine;  ///< of incidence on the triangle, clamped by common::min_incident_cosine
 };
 
-/// What the clamp of the cosine takes away.
-struct ClampedLight {
-    double flux = 0;       ///< of all stored hits, mean of the channels; W times the number of photons
-    double discarded = 0;  ///< part of it that the surface's irradiance lacks: F (1 - cos theta / clamp)
-
-    [[nodiscard]] double discarded_share() const { return flux > 0 ? discarded / flux : 0; }
-
-    ClampedLight& operator+=(const ClampedLight& other) {
-        flux += other.flux;
-        discarded += other.discarded;
-        return *this;
-    }
-};
-
 /// For one thread: keeps the arrays that it works in, and counts what it leaves out.
 class DepositSorter {
   public:
@@ -40,7 +27,7 @@ class DepositSorter {
     static constexpr std::size_t max_shares = 64;
 
     /// `layout` must outlive the sorter.
-    explicit DepositSorter(const TexelLayout& layout);
+    DepositSorter(const TexelLayout& layout, const Quantum& quantum);
 
     /// Replaces the deposits by those of another batch; hits that have no texel are counted and left out.
     void sort(const common::HitBatch& hits);
@@ -61,6 +48,7 @@ class DepositSorter {
     [[nodiscard]] std::size_t share_of(std::uint32_t texel) const { return texel >> share_shift_; }
 
     const TexelLayout* layout_;
+    float clamped_light_per_flux_;
     unsigned share_shift_ = 0;
     std::vector<Deposit> deposits_;  ///< in the batch's order
     std::vector<Deposit> by_share_;

@@ -10,8 +10,8 @@ template <class Model>
 class Sink {
   public:
     /// `texels` must outlive the sink and its map.
-    Sink(const PreparedTexels& texels, const Gather& gather)
-        : texels_(&texels), gather_(gather), accumulator_(texels.layout) {}
+    Sink(const PreparedTexels& texels, const Gather& gather, const Quantum& quantum)
+        : texels_(&texels), gather_(gather), accumulator_(texels.layout, quantum) {}
 
     void consume(std::span<const common::HitBatch> wave) { accumulator_.consume(wave); }
     void add(const common::HitBatch& hits) { accumulator_.add(hits); }
@@ -29,7 +29,7 @@ class Sink {
     [[nodiscard]] common::RejectedHits rejected() const {
         common::RejectedHits rejected = accumulator_.rejected();
         for (std::size_t i = 0; i < texels_->geometry.size(); ++i)
-            if (texels_->geometry[i].area == 0) rejected.outside_texels += accumulator_.sums()[i].hits;
+            if (texels_->geometry[i].area == 0) rejected.outside_texels += accumulator_.sums().hits(i);
         return rejected;
     }
     [[nodiscard]] std::size_t bytes() const { return accumulator_.bytes(); }

@@ -38,6 +38,17 @@ struct TexelModel {
         return values;
     }
 
+    /// No number of such a hit has a larger magnitude, by a hundredth at least.
+    [[nodiscard]] static float largest_of_hit(float inverse_cosine) {
+        constexpr float largest_harmonic = Order == 0   ? 0.29f
+                                           : Order == 1 ? 0.50f
+                                           : Order == 2 ? 0.64f
+                                                        : 0.86f;
+        const float weight = Weight == ShWeight::flux ? 1.0f : inverse_cosine;
+        return sums_surface_irradiance ? std::max(1.02f, largest_harmonic * weight)
+                                       : largest_harmonic * weight;
+    }
+
     /// From a summed coefficient of radiance to one of irradiance by normal.
     [[nodiscard]] static constexpr float finishing_factor(std::size_t harmonic) {
         return cosine_factors<Order>[harmonic];

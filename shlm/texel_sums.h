@@ -1,11 +1,11 @@
-// The sums of all texels, kept so that adding to one touches few cache lines and no sum ever stalls.
+// The sums of all texels, exact in any order, kept so that adding to one touches few cache lines.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "common/core/vector.h"
+#include "shlm/quantum.h"
 
 namespace shlm {
 
@@ -17,14 +17,38 @@ struct TexelSum {
     std::uint64_t hits = 0;
 };
 
-/// A float stops growing at 2^24 equal adds, but a texel of doubles spans twice the cache lines, and their
-/// misses are what an add costs. So hits are summed in floats, and every 32 hits the texel's floats are
-/// drained into doubles. The error is that of summing 32 floats; the order of one texel's adds decides the
-/// result to the bit.
+/// The same as it is kept: in quanta of channel c.
+template <class Model>
+struct ExactTexelSum {
+    std::array<std::int64_t, 3 * Model::summed> quanta{};
+    std::uint64_t hits = 0;
+
+    friend bool operator==(const ExactTexelSum&, const ExactTexelSum&) = default;
+};
+
+/// Sums stay below this, so that two of them can be added before anyone looks: 10^11 hits on one texel, each
+/// of all the scene's light, head on.
+inline constexpr std::int64_t max_texel_quanta = std::int64_t{1} << 62;
+
+/// Throws InputError: no sum is ever silently wrong.
+[[noreturn]] void throw_texel_is_full(std::size_t texel);
+
+/// Each number of a hit is rounded once to whole quanta and then summed as an integer: the sums are the same
+/// to the bit for any order of hits, any number of threads and any cut of a run into pieces, equal adds never
+/// stall, and the error is that of rounding single hits, at most 2^-23 of the light on average hits.
+///
+/// 64-bit sums would span twice the cache lines, and their misses are what an add costs. So hits go into
+/// 32-bit sums, which are drained into 64-bit ones before they can overflow: `fill` bounds what they may
+/// hold. On cornell that is once in about 300 hits. A hit too bright for 32 bits goes straight to the
+/// 64-bit sums.
+///
+/// Chosen by measurement (bench/micro, sums/...; README): float stalls at 2^24 equal adds, float drained into
+/// double depends on the order in the last bits, double and int64 take twice the cache lines.
 template <class Model>
 class TexelSums {
   public:
-    explicit TexelSums(std::size_t texels) : recent_(texels), drained_(texels) {}
+    TexelSums(std::size_t texels, const Quantum& quantum)
+        : quantum_(quantum), quanta_per_flux_(quantum.per_flux()), recent_(texels), drained_(texels) {}
 
     /// Asks for the texel's cache lines ahead of `add`.
     void prefetch(std::size_t texel) const {
@@ -33,50 +57,111 @@ class TexelSums {
             __builtin_prefetch(address + line, 1);
     }
 
-    /// Adds one hit. `towards_light` is unit, `inverse_cosine` that of incidence, clamped.
+    /// Adds one hit. `towards_light` is unit, `inverse_cosine` that of incidence, clamped. Throws InputError
+    /// where a sum would leave its range.
     void add(std::size_t texel, const common::Vec3& towards_light, float inverse_cosine,
              const common::Rgb& flux) {
-        RecentSum& sum = recent_[texel];
         const auto values = Model::of_hit(towards_light, inverse_cosine);
+        const common::Rgb quanta = flux * quanta_per_flux_;
         std::array<float, 3 * Model::summed> product;
         for (std::size_t i = 0; i < Model::summed; ++i)
-            for (int c = 0; c < 3; ++c) product[3 * i + c] = values[i] * flux[c];
-        for (std::size_t k = 0; k < product.size(); ++k) sum.value[k] += product[k];
-        if (++sum.hits % hits_per_drain == 0) drain(texel);
+            for (int c = 0; c < 3; ++c) product[3 * i + c] = values[i] * quanta[c];
+
+        RecentSum& sum = recent_[texel];
+        const std::uint32_t fill = fill_of(quanta, Model::largest_of_hit(inverse_cosine));
+        if (sum.fill + fill > max_fill) {
+            drain(texel);
+            if (fill > max_fill) return add_to_drained(texel, product);
+        }
+        for (std::size_t k = 0; k < product.size(); ++k)
+            sum.quanta[k] += static_cast<std::int32_t>(std::rint(product[k]));
+        sum.fill = static_cast<std::uint16_t>(sum.fill + fill);
+        ++sum.hits;
     }
 
-    [[nodiscard]] TexelSum<Model> operator[](std::size_t texel) const {
-        TexelSum<Model> sum{drained_[texel], recent_[texel].hits};
-        for (std::size_t k = 0; k < sum.value.size(); ++k) sum.value[k] += recent_[texel].value[k];
+    /// Adds what another run's texel has taken, in the same quanta. Throws InputError as `add` does.
+    void add(std::size_t texel, const ExactTexelSum<Model>& other) {
+        for (std::size_t k = 0; k < other.quanta.size(); ++k)
+            add_quanta(texel, drained_[texel].quanta[k], other.quanta[k]);
+        drained_[texel].hits += other.hits;
+    }
+
+    [[nodiscard]] ExactTexelSum<Model> exact(std::size_t texel) const {
+        ExactTexelSum<Model> sum = drained_[texel];
+        for (std::size_t k = 0; k < sum.quanta.size(); ++k) sum.quanta[k] += recent_[texel].quanta[k];
+        sum.hits += recent_[texel].hits;
         return sum;
     }
 
+    [[nodiscard]] TexelSum<Model> operator[](std::size_t texel) const {
+        const ExactTexelSum<Model> exact_sum = exact(texel);
+        TexelSum<Model> sum{.value = {}, .hits = exact_sum.hits};
+        for (std::size_t k = 0; k < sum.value.size(); ++k)
+            sum.value[k] = static_cast<double>(exact_sum.quanta[k]) * quantum_.unit(k % 3);
+        return sum;
+    }
+
+    [[nodiscard]] std::uint64_t hits(std::size_t texel) const {
+        return drained_[texel].hits + recent_[texel].hits;
+    }
+
     [[nodiscard]] std::size_t size() const { return recent_.size(); }
+    [[nodiscard]] const Quantum& quantum() const { return quantum_; }
 
     [[nodiscard]] std::size_t bytes() const {
         return recent_.capacity() * sizeof(RecentSum) + drained_.capacity() * sizeof(drained_[0]);
     }
 
-    static constexpr std::size_t bytes_per_texel() { return sizeof(RecentSum) + sizeof(DrainedSum); }
-
-  private:
-    static constexpr std::uint64_t hits_per_drain = 32;
-
-    using DrainedSum = std::array<double, 3 * Model::summed>;
-
-    struct alignas(64) RecentSum {
-        std::array<float, 3 * Model::summed> value{};
-        std::uint64_t hits = 0;  ///< all of them, drained ones included
-    };
-
-    void drain(std::size_t texel) {
-        for (std::size_t k = 0; k < drained_[texel].size(); ++k)
-            drained_[texel][k] += recent_[texel].value[k];
-        recent_[texel].value.fill(0);
+    static constexpr std::size_t bytes_per_texel() {
+        return sizeof(RecentSum) + sizeof(ExactTexelSum<Model>);
     }
 
+  private:
+    /// Since the last drain.
+    struct alignas(64) RecentSum {
+        std::array<std::int32_t, 3 * Model::summed> quanta{};
+        std::uint16_t hits = 0;  ///< each fills by 1 at least, so there are never more than max_fill
+        std::uint16_t fill = 0;  ///< no number's magnitude is beyond fill * quanta_per_fill
+    };
+
+    static constexpr std::uint32_t max_fill = 0xffff;
+    static constexpr float quanta_per_fill = 0x1p15f;  // max_fill of them are just below 2^31
+
+    /// What a hit adds to `fill`; more than max_fill for one that 32 bits cannot hold. Model::largest_of_hit
+    /// leaves a hundredth of room for rounding.
+    [[nodiscard]] static std::uint32_t fill_of(const common::Rgb& quanta, float largest_of_hit) {
+        const float largest =
+            std::max({std::abs(quanta.x), std::abs(quanta.y), std::abs(quanta.z)}) * largest_of_hit;
+        constexpr float beyond = (max_fill + 1) * quanta_per_fill;
+        return largest < beyond ? static_cast<std::uint32_t>(largest * (1 / quanta_per_fill)) + 1
+                                : max_fill + 1;
+    }
+
+    void drain(std::size_t texel) {
+        for (std::size_t k = 0; k < recent_[texel].quanta.size(); ++k)
+            add_quanta(texel, drained_[texel].quanta[k], recent_[texel].quanta[k]);
+        drained_[texel].hits += recent_[texel].hits;
+        recent_[texel] = {};
+    }
+
+    void add_to_drained(std::size_t texel, const std::array<float, 3 * Model::summed>& product) {
+        for (std::size_t k = 0; k < product.size(); ++k) {
+            if (!(std::abs(product[k]) < static_cast<float>(max_texel_quanta))) throw_texel_is_full(texel);
+            add_quanta(texel, drained_[texel].quanta[k], static_cast<std::int64_t>(std::rint(product[k])));
+        }
+        ++drained_[texel].hits;
+    }
+
+    /// Both are below max_texel_quanta.
+    static void add_quanta(std::size_t texel, std::int64_t& sum, std::int64_t quanta) {
+        sum += quanta;
+        if (sum <= -max_texel_quanta || sum >= max_texel_quanta) throw_texel_is_full(texel);
+    }
+
+    Quantum quantum_;
+    common::Rgb quanta_per_flux_;
     std::vector<RecentSum> recent_;
-    std::vector<DrainedSum> drained_;
+    std::vector<ExactTexelSum<Model>> drained_;
 };
 
 }  // namespace shlm

@@ -67,7 +67,7 @@ void expect_multiplied_power(const Rgb& albedo) {
         PhotonStorage& storage;
         void consume(std::span<const HitBatch> wave) { storage.append(wave); }
     } photons{storage};
-    shlm::Accumulator<FluxModel> accumulator(texels.layout);
+    shlm::Accumulator<FluxModel> accumulator(texels.layout, quantum_for(scene));
     BlockFlux blocks;
     Tee all(photons, accumulator, blocks);
     const common::TraceReport report = trace(scene, seed, {.photons = photon_count}, all);
@@ -131,7 +131,7 @@ TEST(Energy, PhotonMapsStoreEveryHit) {
 TEST(Energy, LightMapCountsWhatItCannotStore) {
     const Scene scene = room_with_trouble();
     const shlm::PreparedTexels texels = texels_of(scene);
-    shlm::Sink<shlm::PaperModel> sink(texels, shlm::NearestTexels{});
+    shlm::Sink<shlm::PaperModel> sink(texels, shlm::NearestTexels{}, quantum_for(scene));
     common::RecordingSink recorder;
     Tee both(sink, recorder);
     const common::TraceReport report = trace(scene, 3, {.photons = 20'000}, both);
@@ -212,7 +212,8 @@ TEST(Energy, PhotonMapRejectsHitsThatAreNotFinite) {
 TEST(Energy, LightMapRejectsHitsThatAreNotFinite) {
     const Scene scene = closed_box(diffuse(Rgb(0.5f, 0.5f, 0.5f)));
     const shlm::PreparedTexels texels = texels_of(scene, 600);
-    expect_only_the_good_hit(shlm::Sink<shlm::PaperModel>(texels, shlm::NearestTexels{}));
+    expect_only_the_good_hit(
+        shlm::Sink<shlm::PaperModel>(texels, shlm::NearestTexels{}, quantum_for(broken_hits())));
 }
 
 }  // namespace

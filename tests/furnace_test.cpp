@@ -42,9 +42,10 @@ struct Maps {
 /// The maps of one and the same run.
 Maps make_maps() {
     static const shlm::PreparedTexels texels(furnace(), shlm::find_lightmap_uv(furnace()), 2400);
-    photonmap::FlannPhotonSink photons(furnace(), {.selection = photonmap::NearestPhotons{nearest_photons}, .max_radius = 0.2f});
-    shlm::Sink<shlm::PaperModel> radiance(texels, shlm::NearestTexels{});
-    shlm::Sink<FluxModel> flux(texels, shlm::NearestTexels{});
+    photonmap::FlannPhotonSink photons(
+        furnace(), {.selection = photonmap::NearestPhotons{nearest_photons}, .max_radius = 0.2f});
+    shlm::Sink<shlm::PaperModel> radiance(texels, shlm::NearestTexels{}, quantum_for(furnace()));
+    shlm::Sink<FluxModel> flux(texels, shlm::NearestTexels{}, quantum_for(furnace()));
     Tee all(photons, radiance, flux);
     const common::TraceReport report = trace(furnace(), seed, {.hits = hit_count}, all);
     return {common::finish_map(std::move(photons), report), common::finish_map(std::move(radiance), report),

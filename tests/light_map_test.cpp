@@ -51,7 +51,7 @@ HitBatch collimated_light(const Vec3& towards_light) {
 template <class Model = shlm::PaperModel>
 shlm::LightMap<Model> map_of(const PreparedTexels& texels, const HitBatch& hits,
                              const shlm::Gather& gather = NearestTexels{}) {
-    shlm::Sink<Model> sink(texels, gather);
+    shlm::Sink<Model> sink(texels, gather, quantum_for(hits));
     sink.consume(std::span(&hits, 1));
     return sink.finish(1);
 }
@@ -90,14 +90,13 @@ TEST(LightMap, OneTracedLightGivesTheTruncatedKernel) {
     const Vec3 towards_light = direction_in_xz(40 * degrees);
     scene.directional_light.push_back({-towards_light, Rgb(3, 3, 3)});
     const PreparedTexels texels = texels_of(scene, 64);
-    Sink sink(texels, NearestTexels{});
+    Sink sink(texels, NearestTexels{}, quantum_for(scene));
     const common::TraceReport report = trace(scene, seed, {.photons = count_for(1'000'000, 50'000)}, sink);
     const LightMap map = common::finish_map(std::move(sink), report);
     Sample irradiance;
     common::SurfacePoint point = front_of(scene, on_quad(0, 0.5f, 0.5f));
     point.shading_normal = direction_in_xz(-10 * degrees);
-    for (const auto& texel : map.texels())
-        irradiance.add(series_at(texel, point.shading_normal).y);
+    for (const auto& texel : map.texels()) irradiance.add(series_at(texel, point.shading_normal).y);
     // All photons carry the same flux in the same direction: the mean over the texels has the noise of their
     // number.
     const double expected = 3 * kernel(std::cos(50 * degrees));
@@ -142,8 +141,8 @@ TEST(LightMap, LightOnOneSideDoesNotReachTheOther) {
 TEST(LightMap, BacksOfSingleSidedSurfacesStayDark) {
     const Scene scene = sheet(diffuse(Rgb(1, 1, 1)));
     const PreparedTexels texels = texels_of(scene, 64);
-    Sink sink(texels, NearestTexels{});
     const HitBatch from_below = collimated_light({0, 0, -1});
+    Sink sink(texels, NearestTexels{}, quantum_for(from_below));
     sink.consume(std::span(&from_below, 1));
     EXPECT_EQ(sink.rejected().back_of_single_sided, from_below.size());
     const LightMap map = sink.finish(1);
@@ -215,11 +214,11 @@ TEST(Accumulator, SumsAreTheSameOnAnyNumberOfThreadsAndForAnyWaves) {
     const std::vector<HitBatch> batches = blocks_of_hits(scene);
     for (const std::size_t texel_count : {1, 63, 64, 65, 5000}) {
         const PreparedTexels texels = texels_of(scene, texel_count);
-        Accumulator reference(texels.layout);
+        Accumulator reference(texels.layout, quantum_for(scene));
         common::ThreadPool(1).run([&] { reference.consume(batches); });
         for (const int threads : {1, 2, 7})
             for (const std::size_t wave : {std::size_t{1}, std::size_t{3}, std::size_t{64}, batches.size()}) {
-                Accumulator other(texels.layout);
+                Accumulator other(texels.layout, quantum_for(scene));
                 common::ThreadPool(threads).run([&] {
                     for (std::size_t i = 0; i < batches.size(); i += wave)
                         other.consume(std::span(batches).subspan(i, std::min(wave, batches.size() - i)));
@@ -235,14 +234,13 @@ TEST(Accumulator, SumsAreThoseOfPlainAddition) {
     const Scene scene = furnished_room();
     const PreparedTexels texels = texels_of(scene, 700);
     const HitBatch hits = record(scene, 3, {.photons = 5'000}).hits;
-    Accumulator accumulator(texels.layout);
+    Accumulator accumulator(texels.layout, quantum_for(scene));
     accumulator.consume(std::span(&hits, 1));
     std::vector<shlm::TexelSum<shlm::PaperModel>> expected(texels.layout.texel_count());
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const shlm::TriangleTexels& triangle = texels.layout.triangle(hits.surface[i].triangle);
         const float cosine = -hits.direction[i].dot(scene.geometric_normal[hits.surface[i].triangle]);
-        auto& sum =
-            expected[shlm::texel_at(triangle, hits.surface[i].u, hits.surface[i].v, cosine >= 0)];
+        auto& sum = expected[shlm::texel_at(triangle, hits.surface[i].u, hits.surface[i].v, cosine >= 0)];
         const auto y = shlm::evaluate_sh<2>(-hits.direction[i]);
         for (std::size_t k = 0; k < y.size(); ++k)
             for (int c = 0; c < 3; ++c)
@@ -254,8 +252,7 @@ TEST(Accumulator, SumsAreThoseOfPlainAddition) {
         ASSERT_EQ(accumulator.sums()[i].hits, expected[i].hits);
         for (std::size_t k = 0; k < expected[i].value.size(); ++k)
             ASSERT_NEAR(accumulator.sums()[i].value[k], expected[i].value[k],
-                        1e-5 * std::abs(expected[i].value[0] + expected[i].value[1] +
-                                        expected[i].value[2]));
+                        1e-5 * std::abs(expected[i].value[0] + expected[i].value[1] + expected[i].value[2]));
     }
 }
 
@@ -263,7 +260,7 @@ TEST(Accumulator, MemoryDoesNotGrowWithHits) {
     const Scene scene = furnished_room();
     const PreparedTexels texels = texels_of(scene, 700);
     const std::vector<HitBatch> batches = blocks_of_hits(scene);
-    Accumulator accumulator(texels.layout);
+    Accumulator accumulator(texels.layout, quantum_for(scene));
     accumulator.consume(batches);
     const std::size_t bytes = accumulator.bytes();
     EXPECT_GE(bytes, texels.layout.texel_count() * shlm::TexelSums<shlm::PaperModel>::bytes_per_texel());
@@ -271,7 +268,7 @@ TEST(Accumulator, MemoryDoesNotGrowWithHits) {
     EXPECT_EQ(accumulator.bytes(), bytes);
 
     const LightMap once = map_of(texels, batches[0]);
-    Sink sink(texels, NearestTexels{});
+    Sink sink(texels, NearestTexels{}, quantum_for(scene));
     for (int i = 0; i < 20; ++i) sink.consume(batches);
     // The index is measured at the allocator, which rounds as it likes.
     const auto expected = static_cast<double>(once.bytes());
@@ -284,7 +281,7 @@ TEST(Accumulator, EqualHitsAddUpPastTheReachOfFloat) {
     HitBatch hits;
     for (int i = 0; i < (1 << 16); ++i)
         hits.push_back({0, 0, 0}, {0, 0, -1}, Rgb(1, 1, 1), on_quad(0, 0.5f, 0.5f));
-    Accumulator accumulator(texels.layout);
+    Accumulator accumulator(texels.layout, quantum_for(hits));
     constexpr int waves = static_cast<int>(count_for(1 << 9, 1 << 4));
     for (int i = 0; i < waves; ++i) accumulator.consume(std::span(&hits, 1));
     const double expected = static_cast<double>(waves) * (1 << 16) / std::sqrt(4 * pi);

@@ -31,7 +31,8 @@ PreparedTexels texels_of(const Scene& scene, std::size_t count) {
 /// nothing covers stay dark.
 template <class SomeModel = Model, class Value>
 shlm::LightMap<SomeModel> map_with(const PreparedTexels& texels, const Gather& gather, Value value) {
-    shlm::TexelSums<SomeModel> sums(texels.layout.texel_count());
+    // Finer than light would have it: gathers are compared to the last bits of a float.
+    shlm::TexelSums<SomeModel> sums(texels.layout.texel_count(), shlm::Quantum(Rgb(1, 1, 1) * 0x1p-20f));
     for (std::uint32_t i = 0; i < texels.geometry.size(); ++i) {
         const TexelGeometry& texel = texels.geometry[i];
         const float watts = static_cast<float>(value(i)) * texel.area;

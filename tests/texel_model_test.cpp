@@ -82,7 +82,7 @@ class Floor {
 
   private:
     static shlm::LightMap<Model> filled(const PreparedTexels& texels, const HitBatch& hits) {
-        shlm::Sink<Model> sink(texels, shlm::OwnTexel{});
+        shlm::Sink<Model> sink(texels, shlm::OwnTexel{}, quantum_for(hits));
         sink.consume(std::span(&hits, 1));
         return sink.finish(1);
     }
@@ -114,9 +114,10 @@ double kernel(int order, double x) {
     }
 }
 
+/// Beside the relative error, up to 18 numbers may each be rounded by 2^-24 of the light, here about 1.
 void expect_near(const Rgb& actual, const Rgb& expected, double relative, const std::string& what) {
     for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(actual[c], expected[c], relative * (std::abs(expected[c]) + 0.01))
+        EXPECT_NEAR(actual[c], expected[c], relative * (std::abs(expected[c]) + 0.01) + 18 * 0x1p-24)
             << what << ", channel " << c;
 }
 
@@ -377,7 +378,7 @@ TEST(TexelModel, NoLightIsZero) {
 
 template <class Model>
 ClampedLight clamped_by(const PreparedTexels& texels, std::span<const HitBatch> batches) {
-    shlm::Accumulator<Model> accumulator(texels.layout);
+    shlm::Accumulator<Model> accumulator(texels.layout, quantum_for(batches));
     accumulator.consume(batches);
     return accumulator.clamped();
 }
@@ -385,6 +386,17 @@ ClampedLight clamped_by(const PreparedTexels& texels, std::span<const HitBatch> 
 template <class Model = shlm::PaperModel>
 ClampedLight clamped_by(const HitBatch& hits) {
     return clamped_by<Model>(texels_of(floor_scene(), 1), std::span(&hits, 1));
+}
+
+/// What ClampedLight counts, in W, and how far off rounding of `hits` hits may put it.
+struct Watts {
+    double flux, discarded, tolerance;
+};
+
+Watts in_watts(const ClampedLight& clamped, const HitBatch& hits) {
+    const double unit = quantum_for(hits).clamped_light_unit();
+    return {static_cast<double>(clamped.flux) * unit, static_cast<double>(clamped.discarded) * unit,
+            0.51 * unit * static_cast<double>(hits.size())};
 }
 
 /// Unit, with exactly this cosine to the floor's normal.
@@ -404,9 +416,10 @@ TEST(ClampedLight, IsTheShareBelowTheClamp) {
         discarded += double{watts} * std::max(0.0, 1 - cosine / clamp);
     }
     const ClampedLight clamped = clamped_by(hits);
-    EXPECT_NEAR(clamped.flux, flux, 1e-6 * flux);
-    EXPECT_NEAR(clamped.discarded, discarded, 1e-6 * flux);
-    EXPECT_NEAR(clamped.discarded_share(), discarded / flux, 1e-6);
+    const Watts watts = in_watts(clamped, hits);
+    EXPECT_NEAR(watts.flux, flux, watts.tolerance);
+    EXPECT_NEAR(watts.discarded, discarded, watts.tolerance);
+    EXPECT_EQ(clamped.discarded_share(), watts.discarded / watts.flux);
 }
 
 TEST(ClampedLight, IsWhatTheSurfaceLacks) {
@@ -425,8 +438,8 @@ TEST(ClampedLight, IsNothingWithoutGrazingHits) {
     for (const float cosine : {1.0f, 0.5f, 0.01f, common::min_incident_cosine})
         add_hit(hits, with_cosine(cosine), Rgb(1, 2, 3));
     const ClampedLight clamped = clamped_by(hits);
-    EXPECT_EQ(clamped.discarded, 0);
-    EXPECT_NEAR(clamped.flux, 8, 1e-6);
+    EXPECT_EQ(clamped.discarded, 0u);
+    EXPECT_NEAR(in_watts(clamped, hits).flux, 8, in_watts(clamped, hits).tolerance);
 }
 
 TEST(ClampedLight, IsNothingWhereTheSurfacesIrradianceDoesNotNeedTheCosine) {
@@ -446,8 +459,9 @@ TEST(ClampedLight, LeavesOutRejectedHits) {
     add_hit(hits, with_cosine(-1e-5f), Rgb(7, 7, 7));  // on the back
     add_hit(hits, with_cosine(1e-5f), Rgb(7, 7, std::numeric_limits<float>::infinity()));
     const ClampedLight clamped = clamped_by(hits);
-    EXPECT_NEAR(clamped.flux, 1, 1e-6);
-    EXPECT_NEAR(clamped.discarded, 0.5, 1e-6);
+    const Watts watts = in_watts(clamped, hits);
+    EXPECT_NEAR(watts.flux, 1, watts.tolerance);
+    EXPECT_NEAR(watts.discarded, 0.5, watts.tolerance);
 }
 
 /// A room's hits, every seventh of them turned until it grazes its surface.
@@ -471,12 +485,12 @@ TEST(ClampedLight, IsTheSameOnAnyNumberOfThreadsAndForAnyWaves) {
     const PreparedTexels texels = texels_of(room, 500);
     const std::vector<HitBatch> batches = in_batches(hits_with_grazing_ones(room, seed), 1000);
     using Accumulator = shlm::Accumulator<shlm::PaperModel>;
-    Accumulator reference(texels.layout);
+    Accumulator reference(texels.layout, quantum_for(room));
     common::ThreadPool(1).run([&] { reference.consume(batches); });
     EXPECT_GT(reference.clamped().discarded_share(), 0.01) << "seed " << seed;
     for (const int threads : {1, 2, 7})
         for (const std::size_t wave : {std::size_t{1}, std::size_t{3}, std::size_t{64}}) {
-            Accumulator other(texels.layout);
+            Accumulator other(texels.layout, quantum_for(room));
             common::ThreadPool(threads).run([&] {
                 for (std::size_t i = 0; i < batches.size(); i += wave)
                     other.consume(std::span(batches).subspan(i, std::min(wave, batches.size() - i)));

@@ -6,6 +6,7 @@
 #include "common/core/threads.h"
 #include "common/tracer/recording_sink.h"
 #include "common/tracer/trace_photons.h"
+#include "shlm/quantum.h"
 #include "tests/scene_builder.h"
 
 namespace tests {
@@ -45,6 +46,24 @@ inline bool begins_with(const common::HitBatch& longer, const common::HitBatch& 
 
 inline bool same_hits(const common::HitBatch& a, const common::HitBatch& b) {
     return a.size() == b.size() && begins_with(a, b);
+}
+
+/// Units for the light of a scene, or of hits made by hand: as if their brightest had all the light.
+inline shlm::Quantum quantum_for(const Scene& scene) {
+    return shlm::Quantum(common::PhotonSource(scene).power());
+}
+
+inline shlm::Quantum quantum_for(std::span<const common::HitBatch> batches) {
+    Rgb brightest(0, 0, 0);
+    for (const common::HitBatch& hits : batches)
+        for (std::size_t i = 0; i < hits.size(); ++i)
+            for (int c = 0; c < 3; ++c)
+                if (common::is_finite(hits, i)) brightest[c] = std::max(brightest[c], hits.flux[i][c]);
+    return shlm::Quantum(brightest);
+}
+
+inline shlm::Quantum quantum_for(const common::HitBatch& hits) {
+    return quantum_for(std::span(&hits, 1));
 }
 
 /// Cuts hits into batches of `size`.

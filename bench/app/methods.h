@@ -84,12 +84,14 @@ auto with_model(const ShlmMethod& method, Work work) {
     return {method.selection, method.kernel, max_radius};
 }
 
-/// Calls `work` with a fresh, empty sink of the method.
+/// Calls `work` with a fresh, empty sink of the method for photons of `source`.
 template <class Work>
-auto with_sink(const Method& method, PreparedMethods& prepared, Work work) {
+auto with_sink(const Method& method, PreparedMethods& prepared, const common::PhotonSource& source,
+               Work work) {
     if (const ShlmMethod* light_map = method.light_map())
         return with_model(*light_map, [&](auto model) {
-            return work(shlm::Sink<decltype(model)>(prepared.texels_of(*light_map), light_map->gather));
+            return work(shlm::Sink<decltype(model)>(prepared.texels_of(*light_map), light_map->gather,
+                                                    shlm::Quantum(source.power())));
         });
     const PhotonMapMethod& photon_map = *method.photon_map();
     const photonmap::GatherSettings gather = gather_of(photon_map, prepared.settings().max_radius);

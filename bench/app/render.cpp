@@ -75,7 +75,7 @@ Rendering trace_and_gather(const RenderPlan& plan, const LoadedScene& loaded,
     const RenderOptions& options = plan.options;
     const common::TraceTarget& target = plan.target;
     const auto pixels = common::visible_surfaces(loaded.rays, loaded.camera, options.width, options.height);
-    return with_sink(plan.method, prepared, [&](auto sink) {
+    return with_sink(plan.method, prepared, source, [&](auto sink) {
         common::Progress progress("tracing", target.hits ? "hits" : "photons",
                                   target.hits ? target.hits : target.photons);
         const auto trace = common::trace_photons(

@@ -14,11 +14,19 @@ struct BasisAnswers {
     std::vector<double> answered;  ///< what the light map answers: that, cut off at zero
 };
 
+/// For photons that come from no scene: as if their brightest had all the light.
+[[nodiscard]] inline shlm::Quantum quantum_for(const common::HitBatch& photons) {
+    common::Rgb brightest(0, 0, 0);
+    for (const common::Rgb& flux : photons.flux)
+        for (int c = 0; c < 3; ++c) brightest[c] = std::max(brightest[c], flux[c]);
+    return shlm::Quantum(brightest);
+}
+
 /// Fills a light map of one texel with the photons and asks it for every normal.
 template <class Model>
 [[nodiscard]] BasisAnswers ask(const OneTexel& texel, const common::HitBatch& photons,
                                std::span<const common::Vec3> normals) {
-    shlm::Sink<Model> sink(texel.prepared(), shlm::OwnTexel{});
+    shlm::Sink<Model> sink(texel.prepared(), shlm::OwnTexel{}, quantum_for(photons));
     sink.consume(std::span(&photons, 1));
     const shlm::LightMap<Model> map = sink.finish(1);
     BasisAnswers answers;

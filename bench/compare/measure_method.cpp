@@ -54,7 +54,7 @@ Measurement measure_method(const Method& method, PreparedMethods& prepared, cons
     if (method.light_map()) (void)prepared.texels_of(*method.light_map());  // the scene's, not the run's
     common::reset_peak_resident_bytes();
     const Stopwatch making_room;
-    return with_sink(method, prepared,
+    return with_sink(method, prepared, workload.source,
                      [&](auto sink) { return measure(std::move(sink), making_room.seconds(), workload); });
 }
 
@@ -65,7 +65,7 @@ common::TraceReport measure_null_sink(const Workload& workload) {
 
 common::Image render_method(const Method& method, PreparedMethods& prepared, const Workload& workload,
                             std::span<const common::VisibleSurface> pixels, int width, int height) {
-    return with_sink(method, prepared, [&](auto sink) {
+    return with_sink(method, prepared, workload.source, [&](auto sink) {
         const common::TraceReport trace = trace_into(sink, workload);
         if (trace.interrupted) return common::Image{};
         return common::render(pixels, width, height, common::finish_map(std::move(sink), trace));

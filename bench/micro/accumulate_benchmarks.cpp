@@ -12,7 +12,7 @@ constexpr std::uint64_t hits = 1'000'000;
 /// Into the same sums again and again: they do not grow, and filling them once more costs the same.
 void accumulate(benchmark::State& state, SharedInputs& inputs, std::size_t texels, int threads) {
     const Recording& recording = inputs.recording(hits);
-    shlm::Accumulator<shlm::PaperModel> accumulator(inputs.methods(texels).texels().layout);
+    shlm::Accumulator<shlm::PaperModel> accumulator(inputs.methods(texels).texels().layout, inputs.quantum());
     common::ThreadPool pool(threads);
     for (auto _ : state) pool.run([&] { replay(recording, accumulator); });
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(recording.report.hits));

@@ -26,11 +26,11 @@ void build_light_map(benchmark::State& state, SharedInputs& inputs, std::size_t 
     constexpr std::uint64_t hits = 100'000;
     const Recording& recording = inputs.recording(hits);
     const shlm::PreparedTexels& prepared = inputs.methods(texels).texels();
-    shlm::Accumulator<shlm::PaperModel> accumulator(prepared.layout);
+    shlm::Accumulator<shlm::PaperModel> accumulator(prepared.layout, inputs.quantum());
     replay(recording, accumulator);
     for (auto _ : state) {
-        const shlm::LightMap<shlm::PaperModel> map(
-            accumulator.sums(), prepared, recording.report.watts_per_flux(), shlm::NearestTexels{});
+        const shlm::LightMap<shlm::PaperModel> map(accumulator.sums(), prepared,
+                                                   recording.report.watts_per_flux(), shlm::NearestTexels{});
         benchmark::DoNotOptimize(map.bytes());
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(prepared.layout.texel_count()));

@@ -30,7 +30,7 @@ auto photon_map(SharedInputs& inputs, std::uint64_t hits) {
 auto light_map(SharedInputs& inputs, std::size_t texels) {
     PreparedMethods& methods = inputs.methods(texels);
     return map_of(inputs.recording(default_hits),
-                  shlm::Sink<shlm::PaperModel>(methods.texels(), shlm::NearestTexels{}));
+                  shlm::Sink<shlm::PaperModel>(methods.texels(), shlm::NearestTexels{}, inputs.quantum()));
 }
 
 /// A value that is made when first asked for: the maps take long to make, and most of them nobody asks for.

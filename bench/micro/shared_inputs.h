@@ -32,6 +32,7 @@ class SharedInputs {
 
     [[nodiscard]] const LoadedScene& loaded() const { return loaded_; }
     [[nodiscard]] const common::PhotonSource& source() const { return source_; }
+    [[nodiscard]] shlm::Quantum quantum() const { return shlm::Quantum(source_.power()); }
     [[nodiscard]] const QueryPoints& queries() const { return queries_; }
 
     /// A run of at least this many hits.

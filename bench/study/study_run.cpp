@@ -113,7 +113,7 @@ StudyRun run_study(const StudyPlan& plan, StudyScene& scene, const std::vector<M
     std::vector<MethodGroup> groups = that_fit(groups_of(methods), plan, scene.prepared(), facts, run.rows);
     // The first store finds a wave's hits in cache and its own sums not, so every seed begins with another.
     if (!groups.empty()) std::rotate(groups.begin(), groups.begin() + seed % groups.size(), groups.end());
-    for (MethodGroup& group : groups) stores.emplace_back(std::move(group), scene.prepared());
+    for (MethodGroup& group : groups) stores.emplace_back(std::move(group), scene.prepared(), scene.source());
     if (stores.empty()) return run;
 
     StudySink sink(stores);

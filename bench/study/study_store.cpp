@@ -47,11 +47,12 @@ void finish_store(Sink& sink, const std::vector<Method>& methods, const Prepared
 
 }  // namespace
 
-StudyStore::StudyStore(std::vector<Method> methods, PreparedMethods& prepared) {
+StudyStore::StudyStore(std::vector<Method> methods, PreparedMethods& prepared,
+                       const common::PhotonSource& source) {
     const Method first = methods.front();
     if (first.light_map()) (void)prepared.texels_of(*first.light_map());  // the scene's, not the run's
     const Stopwatch making_room;
-    with_sink(first, prepared, [&](auto made) {
+    with_sink(first, prepared, source, [&](auto made) {
         using Sink = decltype(made);
         insert_seconds_ = making_room.seconds();
         const auto sink = std::make_shared<Sink>(std::move(made));

@@ -28,7 +28,7 @@ class StudyStore {
     StudyStore() = default;
 
     /// `methods` fill alike; `prepared` must outlive the store and its maps.
-    StudyStore(std::vector<Method> methods, PreparedMethods& prepared);
+    StudyStore(std::vector<Method> methods, PreparedMethods& prepared, const common::PhotonSource& source);
 
     void consume(std::span<const common::HitBatch> wave) {
         const Stopwatch watch;

@@ -40,13 +40,14 @@ struct TexelModel {
 
     /// No number of such a hit has a larger magnitude, by a hundredth at least.
     [[nodiscard]] static float largest_of_hit(float inverse_cosine) {
+        constexpr float one = 1.02f;
+        if (summed_harmonics == 0) return one;
         constexpr float largest_harmonic = Order == 0   ? 0.29f
                                            : Order == 1 ? 0.50f
                                            : Order == 2 ? 0.64f
                                                         : 0.86f;
-        const float weight = Weight == ShWeight::flux ? 1.0f : inverse_cosine;
-        return sums_surface_irradiance ? std::max(1.02f, largest_harmonic * weight)
-                                       : largest_harmonic * weight;
+        const float shape = Weight == ShWeight::flux ? largest_harmonic : largest_harmonic * inverse_cosine;
+        return sums_surface_irradiance ? std::max(one, shape) : shape;
     }
 
     /// From a summed coefficient of radiance to one of irradiance by normal.

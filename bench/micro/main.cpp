@@ -23,6 +23,7 @@ void run_all() {
     bench::register_sh_benchmarks(inputs);
     bench::register_trace_benchmarks(inputs);
     bench::register_accumulate_benchmarks(inputs);
+    bench::register_sums_benchmarks(inputs);
     bench::register_append_benchmarks(inputs);
     bench::register_build_benchmarks(inputs);
     bench::register_gather_benchmarks(inputs);

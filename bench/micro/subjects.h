@@ -9,6 +9,7 @@ namespace bench {
 void register_sh_benchmarks(SharedInputs& inputs);
 void register_trace_benchmarks(SharedInputs& inputs);
 void register_accumulate_benchmarks(SharedInputs& inputs);
+void register_sums_benchmarks(SharedInputs& inputs);
 void register_append_benchmarks(SharedInputs& inputs);
 void register_build_benchmarks(SharedInputs& inputs);
 void register_gather_benchmarks(SharedInputs& inputs);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "common/core/huge_pages.h"
 #include "common/scene/surface_point.h"
 #include "shlm/lightmap_uv.h"
 
@@ -52,7 +53,7 @@ class TexelLayout {
 
   private:
     std::vector<TexelRegion> regions_;       ///< one per mesh instance
-    std::vector<TriangleTexels> triangles_;  ///< one per triangle of the scene
+    common::HugePageVector<TriangleTexels> triangles_;  ///< one per triangle of the scene
     std::size_t texel_count_ = 0;
 };
 

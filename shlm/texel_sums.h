@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/core/huge_pages.h"
 #include "shlm/quantum.h"
 
 namespace shlm {
@@ -168,8 +169,8 @@ class TexelSums {
 
     Quantum quantum_;
     common::Rgb quanta_per_flux_;
-    std::vector<RecentSum> recent_;
-    std::vector<ExactTexelSum<Model>> drained_;
+    common::HugePageVector<RecentSum> recent_;
+    common::HugePageVector<ExactTexelSum<Model>> drained_;
 };
 
 }  // namespace shlm

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+
+#include "common/core/huge_pages.h"
 #include "common/scene/scene.h"
 
 namespace common {
@@ -44,8 +45,8 @@ class PhotonSurfaces {
     [[nodiscard]] const SurfaceTexture& texture(std::uint32_t triangle) const { return textures_[triangle]; }
 
   private:
-    std::vector<PhotonSurface> surfaces_;   ///< one per triangle
-    std::vector<SurfaceTexture> textures_;  ///< one per triangle; none where nothing is textured
+    HugePageVector<PhotonSurface> surfaces_;   ///< one per triangle
+    HugePageVector<SurfaceTexture> textures_;  ///< one per triangle; none where nothing is textured
 };
 
 }  // namespace common

@@ -108,7 +108,7 @@ struct UnorderedCount {
 
 TEST(Tracer, UnorderedSinkGetsTheSameRun) {
     for (const TraceTarget target :
-         {TraceTarget{.photons = 100'001}, TraceTarget{.hits = 300'000},
+         {TraceTarget{.photons = 100'001}, TraceTarget{.hits = 600'000},
           TraceTarget{.photons = 200'000, .first_photon = 100}}) {
         UnorderedCount sink;
         const TraceReport unordered = trace(furnished_room(), 10, target, sink);
@@ -177,10 +177,10 @@ TEST(Tracer, StopsWhenProgressSaysSo) {
     common::NullSink sink;
     int calls = 0;
     const TraceReport report =
-        trace(open_scene(), 7, {.photons = 1'000'000}, sink, [&](const TraceReport&) { return ++calls < 2; });
+        trace(open_scene(), 7, {.photons = 100'000'000}, sink, [&](const TraceReport&) { return ++calls < 2; });
     EXPECT_TRUE(report.interrupted);
     EXPECT_GT(report.fates.emitted, 0u);
-    EXPECT_LT(report.fates.emitted, 1'000'000u);
+    EXPECT_LT(report.fates.emitted, 100'000'000u);
     EXPECT_EQ(ended(report.fates), report.fates.emitted);
 }
 
@@ -202,7 +202,8 @@ TEST(Tracer, RecordsHitsWhereTheyAre) {
     const Scene scene = furnished_room();
     const common::HitBatch hits = record(scene, 10, {.photons = 5'000}).hits;
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        ASSERT_EQ(hits.position[i], common::position_at(scene, hits.surface[i]));
+        // Rounded otherwise, by some ulp of the largest coordinate.
+        ASSERT_LT((hits.position[i] - common::position_at(scene, hits.surface[i])).length(), 4e-6f);
         ASSERT_NEAR(hits.direction[i].length(), 1, 1e-5);
         ASSERT_GE(hits.surface[i].u, 0);
         ASSERT_GE(hits.surface[i].v, 0);

@@ -85,7 +85,7 @@ Texture::Footprint Texture::footprint(Vec2 texcoord) const {
             v.weight};
 }
 
-Rgb Texture::sample(const Footprint& around) const {
+Rgb Texture::filter(const Footprint& around) const {
     const auto& [upper_left, upper_right, lower_left, lower_right] = around.texel;
     const float left = 1 - around.right;
     const Rgb upper = linear(upper_left) * left + linear(upper_right) * around.right;

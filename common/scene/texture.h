@@ -33,7 +33,7 @@ class Texture {
     };
 
     /// Bilinear sample at `texcoord`; linear values in [0, 1].
-    [[nodiscard]] Rgb sample(Vec2 texcoord) const { return sample(footprint(texcoord)); }
+    [[nodiscard]] Rgb sample(Vec2 texcoord) const { return filter(footprint(texcoord)); }
 
     // The same in two steps, for whoever has many samples to take: what the second reads can be prefetched.
     [[nodiscard]] Footprint footprint(Vec2 texcoord) const;
@@ -41,7 +41,7 @@ class Texture {
         __builtin_prefetch(&rgb_[around.texel[0]]);
         __builtin_prefetch(&rgb_[around.texel[2]]);
     }
-    [[nodiscard]] Rgb sample(const Footprint& around) const;
+    [[nodiscard]] Rgb filter(const Footprint& around) const;
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] int width() const { return width_; }

@@ -123,7 +123,7 @@ void BlockTracer::look_up_textures() {
         for (std::size_t k = 0; k < some.size(); ++k) {
             const std::uint32_t i = some[k];
             const Rgb factor = surfaces[met_.triangle[i]].base_color;
-            base_color_.set(i, factor * surfaces.texture(met_.triangle[i]).texture->sample(footprint[k]));
+            base_color_.set(i, factor * surfaces.texture(met_.triangle[i]).texture->filter(footprint[k]));
         }
     }
 }

@@ -49,7 +49,7 @@ class Accumulator {
     [[nodiscard]] const TexelSums<Model>& sums() const { return sums_; }
 
     [[nodiscard]] common::RejectedHits rejected() const {
-        common::RejectedHits rejected;
+        common::RejectedHits rejected = earlier_rejected_;
         for (const DepositSorter& sorter : sorters_) rejected += sorter.rejected();
         return rejected;
     }
@@ -57,10 +57,17 @@ class Accumulator {
     /// Nothing where the surface's irradiance does not come from a division by the cosine: with the flux
     /// weight, and where its exact sum is kept.
     [[nodiscard]] ClampedLight clamped() const {
-        ClampedLight clamped;
+        ClampedLight clamped = earlier_clamped_;
         if (Model::weight == ShWeight::radiance)
             for (const DepositSorter& sorter : sorters_) clamped += sorter.clamped();
         return clamped;
+    }
+
+    /// To take over what another run has stored, and what it has not.
+    [[nodiscard]] TexelSums<Model>& sums() { return sums_; }
+    void add_counts(const common::RejectedHits& rejected, const ClampedLight& clamped) {
+        earlier_rejected_ += rejected;
+        earlier_clamped_ += clamped;
     }
 
     /// The sums and what is kept to sort a batch by share.
@@ -92,6 +99,8 @@ class Accumulator {
     tbb::enumerable_thread_specific<DepositSorter> sorters_;
     TexelSums<Model> sums_;
     std::unique_ptr<std::array<Share, DepositSorter::max_shares>> shares_;
+    common::RejectedHits earlier_rejected_;
+    ClampedLight earlier_clamped_;
 };
 
 }  // namespace shlm

@@ -34,6 +34,7 @@ class Sink {
     }
     [[nodiscard]] std::size_t bytes() const { return accumulator_.bytes(); }
     [[nodiscard]] const Accumulator<Model>& accumulator() const { return accumulator_; }
+    [[nodiscard]] Accumulator<Model>& accumulator() { return accumulator_; }
 
   private:
     const PreparedTexels* texels_;

@@ -18,16 +18,7 @@ struct TexelSum {
     std::uint64_t hits = 0;
 };
 
-/// The same as it is kept: in quanta of channel c.
-template <class Model>
-struct ExactTexelSum {
-    std::array<std::int64_t, 3 * Model::summed> quanta{};
-    std::uint64_t hits = 0;
-
-    friend bool operator==(const ExactTexelSum&, const ExactTexelSum&) = default;
-};
-
-/// Sums stay below this, so that two of them can be added before anyone looks: 10^11 hits on one texel, each
+/// Sums stay below this, so that what is recent can always be added: 10^11 hits on one texel, each
 /// of all the scene's light, head on.
 inline constexpr std::int64_t max_texel_quanta = std::int64_t{1} << 62;
 
@@ -88,31 +79,29 @@ class TexelSums {
         ++sum.hits;
     }
 
-    /// Adds what another run's texel has taken, in the same quanta. Throws InputError as `add` does.
-    void add(std::size_t texel, const ExactTexelSum<Model>& other) {
-        for (std::size_t k = 0; k < other.quanta.size(); ++k)
-            add_quanta(texel, drained_[texel].quanta[k], other.quanta[k]);
-        drained_[texel].hits += other.hits;
-    }
-
-    [[nodiscard]] ExactTexelSum<Model> exact(std::size_t texel) const {
-        ExactTexelSum<Model> sum = drained_[texel];
-        for (std::size_t k = 0; k < sum.quanta.size(); ++k) sum.quanta[k] += recent_[texel].quanta[k];
-        sum.hits += recent_[texel].hits;
-        return sum;
-    }
-
     [[nodiscard]] TexelSum<Model> operator[](std::size_t texel) const {
-        const ExactTexelSum<Model> exact_sum = exact(texel);
-        TexelSum<Model> sum{.value = {}, .hits = exact_sum.hits};
+        TexelSum<Model> sum{.value = {}, .hits = hits(texel)};
         for (std::size_t k = 0; k < sum.value.size(); ++k)
-            sum.value[k] = static_cast<double>(exact_sum.quanta[k]) * quantum_.unit(k % 3);
+            sum.value[k] = static_cast<double>(quanta(texel, k)) * quantum_.unit(k % 3);
         return sum;
+    }
+
+    /// The sum itself, k as in TexelSum::value.
+    [[nodiscard]] std::int64_t quanta(std::size_t texel, std::size_t k) const {
+        return drained_[texel].quanta[k] + recent_[texel].quanta[k];
     }
 
     [[nodiscard]] std::uint64_t hits(std::size_t texel) const {
         return drained_[texel].hits + recent_[texel].hits;
     }
+
+    /// Adds to a sum what another run has, in the same quanta. Throws InputError as `add` does.
+    void add_quanta(std::size_t texel, std::size_t k, std::int64_t quanta) {
+        std::int64_t& sum = drained_[texel].quanta[k];
+        if (__builtin_add_overflow(sum, quanta, &sum) || sum <= -max_texel_quanta || sum >= max_texel_quanta)
+            throw_texel_is_full(texel);
+    }
+    void add_hits(std::size_t texel, std::uint64_t hits) { drained_[texel].hits += hits; }
 
     [[nodiscard]] std::size_t size() const { return recent_.size(); }
     [[nodiscard]] const Quantum& quantum() const { return quantum_; }
@@ -121,9 +110,7 @@ class TexelSums {
         return recent_.capacity() * sizeof(RecentSum) + drained_.capacity() * sizeof(drained_[0]);
     }
 
-    static constexpr std::size_t bytes_per_texel() {
-        return sizeof(RecentSum) + sizeof(ExactTexelSum<Model>);
-    }
+    static constexpr std::size_t bytes_per_texel() { return sizeof(RecentSum) + sizeof(DrainedSum); }
 
   private:
     /// Since the last drain.
@@ -131,6 +118,11 @@ class TexelSums {
         std::array<std::int32_t, 3 * Model::summed> quanta{};
         std::uint16_t hits = 0;  ///< each fills by 1 at least, so there are never more than max_fill
         std::uint16_t fill = 0;  ///< no number's magnitude is beyond fill * quanta_per_fill
+    };
+
+    struct DrainedSum {
+        std::array<std::int64_t, 3 * Model::summed> quanta{};
+        std::uint64_t hits = 0;
     };
 
     static constexpr std::uint32_t max_fill = 0xffff;
@@ -148,7 +140,7 @@ class TexelSums {
 
     void drain(std::size_t texel) {
         for (std::size_t k = 0; k < recent_[texel].quanta.size(); ++k)
-            add_quanta(texel, drained_[texel].quanta[k], recent_[texel].quanta[k]);
+            add_quanta(texel, k, recent_[texel].quanta[k]);
         drained_[texel].hits += recent_[texel].hits;
         recent_[texel] = {};
     }
@@ -156,21 +148,15 @@ class TexelSums {
     void add_to_drained(std::size_t texel, const std::array<float, 3 * Model::summed>& product) {
         for (std::size_t k = 0; k < product.size(); ++k) {
             if (!(std::abs(product[k]) < static_cast<float>(max_texel_quanta))) throw_texel_is_full(texel);
-            add_quanta(texel, drained_[texel].quanta[k], static_cast<std::int64_t>(std::rint(product[k])));
+            add_quanta(texel, k, static_cast<std::int64_t>(std::rint(product[k])));
         }
         ++drained_[texel].hits;
-    }
-
-    /// Both are below max_texel_quanta.
-    static void add_quanta(std::size_t texel, std::int64_t& sum, std::int64_t quanta) {
-        sum += quanta;
-        if (sum <= -max_texel_quanta || sum >= max_texel_quanta) throw_texel_is_full(texel);
     }
 
     Quantum quantum_;
     common::Rgb quanta_per_flux_;
     common::HugePageVector<RecentSum> recent_;
-    common::HugePageVector<ExactTexelSum<Model>> drained_;
+    common::HugePageVector<DrainedSum> drained_;
 };
 
 }  // namespace shlm

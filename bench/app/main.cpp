@@ -4,8 +4,10 @@
 #include "bench/app/diff.h"
 #include "bench/app/ending.h"
 #include "bench/app/info.h"
+#include "bench/app/merge.h"
 #include "bench/app/reference.h"
 #include "bench/app/render.h"
+#include "bench/app/trace.h"
 #include "bench/bases/bases.h"
 #include "bench/compare/compare.h"
 #include "bench/study/study.h"
@@ -24,6 +26,8 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     bench::add_info_command(app);
     bench::add_render_command(app);
+    bench::add_trace_command(app);
+    bench::add_merge_command(app);
     bench::add_reference_command(app);
     bench::add_compare_command(app);
     bench::add_study_command(app);

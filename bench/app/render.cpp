@@ -6,6 +6,7 @@
 
 #include "bench/app/ending.h"
 #include "bench/app/image_output.h"
+#include "bench/app/map_identity.h"
 #include "bench/app/memory_need.h"
 #include "bench/app/method_options.h"
 #include "bench/app/provenance.h"
@@ -17,12 +18,13 @@
 #include "common/core/threads.h"
 #include "common/image/render.h"
 #include "common/tracer/trace_photons.h"
+#include "shlm/checkpoint.h"
 
 namespace bench {
 namespace {
 
 struct RenderOptions {
-    std::string file, method, out;
+    std::string file, method, map, out;
     SceneOptions scene;
     MethodOptions methods;
     RunOptions run;
@@ -46,8 +48,10 @@ struct Rendering {
 };
 
 common::TraceTarget target_of(const RenderOptions& options) {
-    if (options.hits.empty() == options.photons.empty())
-        throw common::InputError("one of --hits and --photons says how much to trace");
+    if (!options.hits.empty() + !options.photons.empty() + !options.map.empty() != 1)
+        throw common::InputError(
+            "one of --hits and --photons says how much to trace, or --map what is traced already");
+    if (!options.map.empty()) return {};
     if (!options.hits.empty()) return {.hits = parse_count("--hits", options.hits)};
     return {.photons = parse_count("--photons", options.photons)};
 }
@@ -92,6 +96,26 @@ Rendering trace_and_gather(const RenderPlan& plan, const LoadedScene& loaded,
     });
 }
 
+/// From the sums that trace has written.
+Rendering gather_from_file(const RenderPlan& plan, const LoadedScene& loaded,
+                           const common::PhotonSource& source, PreparedMethods& prepared) {
+    const RenderOptions& options = plan.options;
+    const ShlmMethod* light_map = plan.method.light_map();
+    if (!light_map) throw common::InputError("--map: only a light map, --method shlm/..., comes from a file");
+    const shlm::PreparedTexels& texels = prepared.texels_of(*light_map);
+    const shlm::MapIdentity identity = map_identity(*light_map, prepared, source, options.run.seed);
+    const auto pixels = common::visible_surfaces(loaded.rays, loaded.camera, options.width, options.height);
+    return with_model(*light_map, [&](auto model) {
+        shlm::Sink<decltype(model)> sink(texels, light_map->gather, shlm::Quantum(source.power()));
+        const common::TraceReport trace =
+            shlm::read_checkpoint(options.map, identity, shlm::TexelAtlas(texels.layout), sink.accumulator())
+                .report();
+        stop_if_interrupted();
+        const auto map = common::finish_map(sink, trace);
+        return Rendering{common::render(pixels, options.width, options.height, map), trace, sink.rejected()};
+    });
+}
+
 RenderPlan make_plan(const RenderOptions& options) {
     RenderPlan plan{options, parse_method("--method", options.method), options.methods.settings(),
                     target_of(options), max_map_bytes(options)};
@@ -112,7 +136,8 @@ void run(const RenderOptions& options) {
             (void)prepared.texels_of(*light_map);  // what cannot be done is said before what is doubtful
         print_scene_warnings(loaded);
         if (light_map) print_lightmap_warnings(loaded, prepared);
-        const Rendering made = trace_and_gather(plan, loaded, source, prepared);
+        const Rendering made = options.map.empty() ? trace_and_gather(plan, loaded, source, prepared)
+                                                   : gather_from_file(plan, loaded, source, prepared);
         stop_if_interrupted();
 
         common::ImageNotes notes = provenance_notes();
@@ -144,6 +169,7 @@ void add_render_command(CLI::App& app) {
         ->required();
     command->add_option("--hits", options->hits, "Trace until there are at least this many hits, e.g. 1e6");
     command->add_option("--photons", options->photons, "Trace exactly this many photons");
+    command->add_option("--map", options->map, "Trace nothing: take a light map's sums from trace's file");
     command->add_option("--out", options->out, "Image to write, .exr; the PNG goes beside it")->required();
     command->add_option("--width", options->width, "Pixels")->capture_default_str();
     command->add_option("--height", options->height, "Pixels")->capture_default_str();

@@ -101,6 +101,15 @@ std::uint64_t parse_count(const std::string& option, const std::string& text) {
     return static_cast<std::uint64_t>(value);
 }
 
+double parse_seconds(const std::string& option, const std::string& text) {
+    std::string_view rest = text;
+    const double value = take_number(option, rest);
+    const double unit = rest == "s" ? 1 : rest == "min" ? 60 : rest == "h" ? 3600 : 0;
+    if (unit == 0 || !(value >= 0 && value * unit < 1e9))
+        throw InputError(fmt::format("{}: '{}' is not a time such as 60s, 5min or 1h", option, text));
+    return value * unit;
+}
+
 std::vector<std::uint64_t> parse_sizes(const std::string& option, const std::vector<std::string>& texts) {
     std::set<std::uint64_t> sizes;
     for (const std::string& text : texts) sizes.insert(parse_count(option, text));

@@ -38,6 +38,9 @@ struct LoadedScene {
 /// "1e6", "250000". Throws InputError, naming the option, unless it is a whole number from 1 to 1e15.
 [[nodiscard]] std::uint64_t parse_count(const std::string& option, const std::string& text);
 
+/// "60s", "5min", "1h". Throws InputError, naming the option, for anything else.
+[[nodiscard]] double parse_seconds(const std::string& option, const std::string& text);
+
 /// Several of them, ascending, each once.
 [[nodiscard]] std::vector<std::uint64_t> parse_sizes(const std::string& option,
                                                      const std::vector<std::string>& texts);

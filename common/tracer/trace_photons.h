@@ -16,16 +16,20 @@ namespace common {
 using TraceProgress = std::function<bool(const TraceReport& so_far)>;
 
 /// Traces the photons target.first_photon and on of the run with this seed and gives their hits to `sink`.
+/// `so_far` is what an earlier call has done of them: this one goes on from there to the same end. Between
+/// two waves the sink has taken the hits of the photons so far, and no others.
 ///
 /// Which hits the sink gets, and the report's counts, depend on the scene, the seed and the target alone; a
 /// sink that is not unordered gets them in an order that depends on these alone too. Uses the threads of the
 /// calling arena (see ThreadPool).
 template <PhotonSink Sink>
 TraceReport trace_photons(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
-                          TraceTarget target, Sink& sink, const TraceProgress& progress = {}) {
+                          TraceTarget target, Sink& sink, const TraceProgress& progress = {},
+                          const TraceReport& so_far = {}) {
     OrderedWaves ordered(rays, source, seed);
     UnorderedWaves unordered(rays, source, seed);
-    TraceReport report;
+    TraceReport report = so_far;
+    report.interrupted = false;
     while (!target.reached_by(report)) {
         const std::size_t whole_blocks = UnorderedSink<Sink> ? whole_blocks_ahead(report, target) : 0;
         if constexpr (UnorderedSink<Sink>)

@@ -1,0 +1,255 @@
+#include "bench/app/trace.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "bench/app/commit.h"
+#include "bench/app/ending.h"
+#include "bench/app/map_identity.h"
+#include "bench/app/memory_need.h"
+#include "bench/app/method_options.h"
+#include "bench/app/run_options.h"
+#include "bench/app/stopwatch.h"
+#include "bench/app/warnings.h"
+#include "common/core/input_error.h"
+#include "common/core/interrupt.h"
+#include "common/core/memory_use.h"
+#include "common/core/progress.h"
+#include "common/core/threads.h"
+#include "shlm/checkpoint.h"
+
+namespace bench {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct TraceOptions {
+    std::string file, method = "shlm", hits, photons, first_photon, checkpoint, resume, every = "60s";
+    SceneOptions scene;
+    std::string texels = std::to_string(shlm::default_texels);
+    RunOptions run;
+    bool json = false;
+};
+
+/// A request, checked.
+struct TracePlan {
+    const TraceOptions& options;
+    Method method;
+    MethodSettings settings;
+    common::TraceTarget target;
+    fs::path checkpoint;  ///< to write; empty: none
+    double seconds_between_checkpoints;
+};
+
+common::TraceTarget target_of(const TraceOptions& options) {
+    if (options.hits.empty() == options.photons.empty())
+        throw common::InputError("one of --hits and --photons says how much to trace");
+    common::TraceTarget target;
+    if (!options.hits.empty()) target.hits = parse_count("--hits", options.hits);
+    if (!options.photons.empty()) target.photons = parse_count("--photons", options.photons);
+    if (!options.first_photon.empty() && options.first_photon != "0")
+        target.first_photon = parse_count("--first-photon", options.first_photon);
+    return target;
+}
+
+TracePlan make_plan(const TraceOptions& options) {
+    TracePlan plan{options,
+                   parse_method("--method", options.method),
+                   {.texels = parse_count("--texels", options.texels)},
+                   target_of(options),
+                   options.checkpoint.empty() ? options.resume : options.checkpoint,
+                   parse_seconds("--every", options.every)};
+    if (!plan.method.light_map())
+        throw common::InputError("--method: only a light map, shlm/..., is traced so");
+    if (!plan.checkpoint.empty())
+        shlm::check_map_output(options.checkpoint.empty() ? "--resume" : "--checkpoint", plan.checkpoint);
+    if (plan.checkpoint != options.resume && fs::exists(plan.checkpoint))
+        throw common::InputError(fmt::format("--checkpoint: {} is there already; --resume goes on from it",
+                                             plan.checkpoint.string()));
+    require_memory(plan.method, plan.settings, 0, default_max_bytes());
+    return plan;
+}
+
+/// The sums on their way to their end, with what is needed to write them.
+template <class Model>
+class MapTrace {
+  public:
+    /// Takes over what the file to resume has.
+    MapTrace(const TracePlan& plan, const shlm::MapIdentity& identity, const shlm::PreparedTexels& texels,
+             const common::PhotonSource& source)
+        : plan_(plan),
+          sink_(texels, plan.method.light_map()->gather, shlm::Quantum(source.power())),
+          atlas_(texels.layout) {
+        run_.identity = identity;
+        run_.first_photon = plan.target.first_photon;
+        if (!plan.options.resume.empty()) resume();
+    }
+
+    common::TraceReport trace(const LoadedScene& loaded, const common::PhotonSource& source) {
+        common::TraceTarget target = plan_.target;
+        target.first_photon = run_.first_photon;
+        const auto done = [&](const common::TraceReport& r) {
+            return target.hits ? r.hits : r.fates.emitted;
+        };
+        const std::uint64_t before = done(run_.report()), total = target.hits ? target.hits : target.photons;
+        common::Progress progress("tracing", target.hits ? "hits" : "photons",
+                                  total - std::min(total, before));
+        Stopwatch since_checkpoint;
+        const common::TraceReport report = common::trace_photons(
+            loaded.rays, source, run_.identity.seed, target, sink_,
+            [&](const common::TraceReport& so_far) {
+                progress.show(done(so_far) - before);
+                if (!plan_.checkpoint.empty() &&
+                    since_checkpoint.seconds() >= plan_.seconds_between_checkpoints) {
+                    write(so_far);
+                    since_checkpoint = Stopwatch();
+                }
+                return !common::interrupted();
+            },
+            run_.report());
+        if (!plan_.checkpoint.empty()) write(report);
+        return report;
+    }
+
+    [[nodiscard]] const shlm::MapRun& run() const { return run_; }
+    [[nodiscard]] const shlm::Sink<Model>& sink() const { return sink_; }
+    [[nodiscard]] double checkpoint_seconds() const { return checkpoint_seconds_; }
+    [[nodiscard]] int checkpoints() const { return checkpoints_; }
+
+  private:
+    void resume() {
+        const std::string& file = plan_.options.resume;
+        run_ = shlm::read_checkpoint(file, run_.identity, atlas_, sink_.accumulator());
+        if (!plan_.options.first_photon.empty() && run_.first_photon != plan_.target.first_photon)
+            throw common::InputError(fmt::format("{}: cannot be used: it begins at photon {}, not {}", file,
+                                                 run_.first_photon, plan_.target.first_photon));
+        if (plan_.target.photons > 0 && run_.fates.emitted > plan_.target.photons)
+            throw common::InputError(
+                fmt::format("{}: cannot be used: it has {} photons already", file, run_.fates.emitted));
+    }
+
+    void write(const common::TraceReport& so_far) {
+        const Stopwatch watch;
+        shlm::MapRun run = run_;
+        run.fates = so_far.fates;
+        run.hits = so_far.hits;
+        run.program = build_commit;
+        shlm::write_checkpoint(plan_.checkpoint, run, atlas_, sink_.accumulator());
+        checkpoint_seconds_ += watch.seconds();
+        ++checkpoints_;
+    }
+
+    const TracePlan& plan_;
+    shlm::MapRun run_;  ///< as it was when this command took over
+    shlm::Sink<Model> sink_;
+    shlm::TexelAtlas atlas_;
+    double checkpoint_seconds_ = 0;
+    int checkpoints_ = 0;
+};
+
+/// What the command says at its end.
+template <class Model>
+Json summary(const TracePlan& plan, const LoadedScene& loaded, const MapTrace<Model>& traced,
+             const common::TraceReport& report, double seconds) {
+    const std::uint64_t hits = report.hits - traced.run().hits;
+    Json all = {{"scene", loaded.name},
+                {"scene_fingerprint", traced.run().identity.scene},
+                {"method", plan.method.name},
+                {"texels", traced.run().identity.texels},
+                {"seed", traced.run().identity.seed},
+                {"threads", plan.options.run.thread_count()},
+                {"first_photon", traced.run().first_photon},
+                {"photons", report.fates.emitted},
+                {"hits", report.hits},
+                {"hits_rejected", traced.sink().rejected().total()},
+                {"clamped_share", traced.sink().accumulator().clamped().discarded_share()},
+                {"resumed_at_hits", traced.run().hits},
+                {"seconds", seconds},
+                {"hits_per_second", static_cast<double>(hits) / seconds},
+                {"insert_bytes", traced.sink().bytes()},
+                {"peak_resident_bytes", common::peak_resident_bytes()}};
+    if (!plan.checkpoint.empty()) {
+        all["checkpoint"] = plan.checkpoint.string();
+        all["checkpoints_written"] = traced.checkpoints();
+        all["checkpoint_seconds"] = traced.checkpoint_seconds();
+    }
+    return all;
+}
+
+void print(const Json& all) {
+    fmt::print("{}: {} hits of {} photons from number {}, {} of them rejected\n",
+               all["scene"].get<std::string>(), all["hits"].get<std::uint64_t>(),
+               all["photons"].get<std::uint64_t>(), all["first_photon"].get<std::uint64_t>(),
+               all["hits_rejected"].get<std::uint64_t>());
+    fmt::print("{:.1f} s, {:.3g} M hits/s, peak memory {:.0f} MiB\n", all["seconds"].get<double>(),
+               all["hits_per_second"].get<double>() / 1e6,
+               all["peak_resident_bytes"].get<double>() * 0x1p-20);
+    if (all.contains("checkpoint"))
+        fmt::print("{}: written {} times in {:.1f} s\n", all["checkpoint"].get<std::string>(),
+                   all["checkpoints_written"].get<int>(), all["checkpoint_seconds"].get<double>());
+}
+
+[[noreturn]] void end_interrupted(const TracePlan& plan, const common::TraceReport& report) {
+    if (plan.checkpoint.empty()) throw Interrupted("trace stopped: nothing is kept without --checkpoint");
+    throw Interrupted(
+        fmt::format("trace stopped at {} hits; --resume {} goes on", report.hits, plan.checkpoint.string()));
+}
+
+void run(const TraceOptions& options) {
+    const TracePlan plan = make_plan(options);
+    common::ThreadPool pool(options.run.thread_count());
+    pool.run([&] {
+        const LoadedScene loaded(options.file, options.scene);
+        const common::PhotonSource source(loaded.scene);
+        PreparedMethods prepared(loaded, plan.settings);
+        const ShlmMethod& light_map = *plan.method.light_map();
+        const shlm::PreparedTexels& texels = prepared.texels_of(light_map);
+        const shlm::MapIdentity identity = map_identity(light_map, prepared, source, options.run.seed);
+        with_model(light_map, [&](auto model) {
+            MapTrace<decltype(model)> traced(plan, identity, texels, source);
+            print_scene_warnings(loaded);
+            print_lightmap_warnings(loaded, prepared);
+            if (!options.resume.empty() && traced.run().program != build_commit)
+                print_warning(loaded, fmt::format("{} was written by version {}, this is {}", options.resume,
+                                                  traced.run().program, build_commit));
+            const Stopwatch watch;
+            const common::TraceReport report = traced.trace(loaded, source);
+            if (report.interrupted) end_interrupted(plan, report);
+            const Json all = summary(plan, loaded, traced, report, watch.seconds());
+            if (options.json)
+                fmt::print("{}\n",
+                           all.dump(2, ' ', false, Json::error_handler_t::replace));  // odd file names
+            else
+                print(all);
+        });
+    });
+}
+
+}  // namespace
+
+void add_trace_command(CLI::App& app) {
+    const auto options = std::make_shared<TraceOptions>();
+    CLI::App* command =
+        app.add_subcommand("trace", "Fill a light map with any number of hits, kept in a file on the way");
+    command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
+    command->add_option("--method", options->method, "Which light map: shlm/...")->capture_default_str();
+    command->add_option("--hits", options->hits, "Trace until there are at least this many hits, e.g. 1e9");
+    command->add_option("--photons", options->photons, "Trace exactly this many photons");
+    command->add_option("--first-photon", options->first_photon,
+                        "Begin at this photon of the run: for pieces that are merged later");
+    command->add_option("--checkpoint", options->checkpoint, "Keep the sums in this file, .exr");
+    command->add_option("--every", options->every, "How often to write it: 60s, 5min, 1h")
+        ->capture_default_str();
+    command->add_option("--resume", options->resume,
+                        "Go on from this file, and in it unless --checkpoint names another");
+    options->scene.add_to(*command);
+    command->add_option("--texels", options->texels, "Texels in all")->capture_default_str();
+    options->run.add_to(*command);
+    command->add_flag("--json", options->json, "Print JSON");
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace bench

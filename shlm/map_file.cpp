@@ -21,6 +21,7 @@
 #include <optional>
 
 #include "common/core/input_error.h"
+#include "shlm/texel_sums.h"
 
 namespace shlm {
 namespace {
@@ -346,6 +347,10 @@ void MapFileReader::read_planes(int part, std::span<std::int64_t> planes) {
 
 void MapFileReader::read_number(std::span<std::int64_t> channels) {
     read_planes(first_number_part + next_number_++, channels);
+    if (std::any_of(channels.begin(), channels.end(), [](std::int64_t quanta) {
+            return quanta <= -max_texel_quanta || quanta >= max_texel_quanta;
+        }))
+        refuse("it is damaged: a sum is beyond what sums reach");
     checksum_.add(channels);
 }
 

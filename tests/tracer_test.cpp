@@ -122,6 +122,44 @@ TEST(Tracer, UnorderedSinkGetsTheSameRun) {
     }
 }
 
+TEST(Tracer, GoesOnFromWhereItWasStopped) {
+    const Scene scene = furnished_room();
+    for (const common::TraceTarget target :
+         {common::TraceTarget{.photons = 20'001}, common::TraceTarget{.hits = 40'000}}) {
+        const TracedRun whole = record(scene, 5, target);
+        common::RecordingSink sink;
+        TraceReport report;
+        int calls = 0;
+        do {
+            report = common::trace_photons(
+                common::RayScene(scene), common::PhotonSource(scene), 5, target, sink,
+                [](const TraceReport&) { return false; }, report);
+        } while (report.fates.emitted < whole.report.fates.emitted && ++calls < 1000);
+        EXPECT_GT(calls, 1);
+        EXPECT_TRUE(same_hits(sink.hits(), whole.hits)) << target.photons << " photons";
+        EXPECT_EQ(report.fates.absorbed, whole.report.fates.absorbed);
+    }
+}
+
+TEST(Tracer, ARunMayBeginAtAnyPhoton) {
+    const Scene scene = furnished_room();
+    const TracedRun whole = record(scene, 6, {.photons = 40 * 256});
+    std::uint64_t hits = 0;
+    for (const auto& [first, end] : {std::pair(0, 1000), std::pair(1000, 1024), std::pair(1024, 40 * 256)})
+        hits += record(scene, 6,
+                       {.photons = static_cast<std::uint64_t>(end - first),
+                        .first_photon = static_cast<std::uint64_t>(first)})
+                    .report.hits;
+    EXPECT_EQ(hits, whole.report.hits);
+    const TracedRun head = record(scene, 6, {.photons = 39 * 256}),
+                    tail = record(scene, 6, {.photons = 256, .first_photon = 39 * 256});
+    common::HitBatch joined = head.hits;
+    for (std::size_t i = 0; i < tail.hits.size(); ++i)
+        joined.push_back(tail.hits.position[i], tail.hits.direction[i], tail.hits.flux[i],
+                         tail.hits.surface[i]);
+    EXPECT_TRUE(same_hits(joined, whole.hits));
+}
+
 TEST(Tracer, DifferentSeedsGiveDifferentHits) {
     const Scene scene = furnished_room();
     const TracedRun a = record(scene, 1, {.photons = 256}), b = record(scene, 2, {.photons = 256}),

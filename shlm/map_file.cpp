@@ -211,20 +211,26 @@ void MapFileWriter::write_planes(int part, std::span<const std::int64_t> planes)
     });
 }
 
-void MapFileWriter::write_number(std::span<const std::int64_t> channels) {
-    if (next_number_ == 0) {
-        const double per_photon = 1 / static_cast<double>(std::max<std::uint64_t>(run_.fates.emitted, 1));
-        std::vector<float> preview(channels.size());
-        for (std::size_t i = 0; i < preview.size(); ++i)
-            preview[i] = static_cast<float>(std::ldexp(static_cast<double>(channels[i]) * per_photon,
-                                                       run_.identity.quantum[i / size_.pixels()]));
-        Imf::FrameBuffer buffer;
+/// Row by row: at millions of texels another set of planes would be too much.
+void MapFileWriter::write_preview(std::span<const std::int64_t> channels) {
+    const double per_photon = 1 / static_cast<double>(std::max<std::uint64_t>(run_.fates.emitted, 1));
+    std::vector<float> row(3 * std::size_t{size_.width});
+    Imf::FrameBuffer buffer;
+    for (std::size_t c = 0; c < 3; ++c)
+        buffer.insert(colors[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row.data() + c * size_.width),
+                                            sizeof(float), 0));
+    for (std::size_t y = 0; y < size_.height; ++y) {
         for (std::size_t c = 0; c < 3; ++c)
-            buffer.insert(colors[c],
-                          Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(preview.data() + c * size_.pixels()),
-                                     sizeof(float), sizeof(float) * size_.width));
-        guarded([&] { output_->write(preview_part, buffer, static_cast<int>(size_.height)); });
+            for (std::size_t x = 0; x < size_.width; ++x)
+                row[c * size_.width + x] = static_cast<float>(std::ldexp(
+                    static_cast<double>(channels[c * size_.pixels() + y * size_.width + x]) * per_photon,
+                    run_.identity.quantum[c]));
+        guarded([&] { output_->write(preview_part, buffer, 1); });
     }
+}
+
+void MapFileWriter::write_number(std::span<const std::int64_t> channels) {
+    if (next_number_ == 0) write_preview(channels);
     write_planes(first_number_part + next_number_++, channels);
     checksum_.add(channels);
 }

@@ -54,6 +54,7 @@ class MapFileWriter {
     template <class Work>
     void guarded(Work work);
     void write_planes(int part, std::span<const std::int64_t> planes);
+    void write_preview(std::span<const std::int64_t> channels);
 
     std::filesystem::path file_, temporary_;
     MapRun run_;

@@ -27,12 +27,12 @@ inline constexpr std::int64_t max_texel_quanta = std::int64_t{1} << 62;
 
 /// Each number of a hit is rounded once to whole quanta and then summed as an integer: the sums are the same
 /// to the bit for any order of hits, any number of threads and any cut of a run into pieces, equal adds never
-/// stall, and the error is that of rounding single hits, at most 2^-23 of the light on average hits.
+/// stall, and the error is that of rounding single hits, half a quantum and a float's last bit.
 ///
 /// 64-bit sums would span twice the cache lines, and their misses are what an add costs. So hits go into
 /// 32-bit sums, which are drained into 64-bit ones before they can overflow: `fill` bounds what they may
-/// hold. On cornell that is once in about 300 hits. A hit too bright for 32 bits goes straight to the
-/// 64-bit sums.
+/// hold. Under uniform light that is once in 100 to 200 hits. A hit too bright for 32 bits goes straight to
+/// the 64-bit sums.
 ///
 /// Chosen by measurement (bench/micro, sums/...; tests/texel_sums_test.cpp), order 2, random texels:
 ///

@@ -1,0 +1,111 @@
+// shlmbench compare at its bound for memory: what does not fit is not started, what grows past it is ended,
+// and the others go on.
+#include "bench/app/memory_need.h"
+#include "bench/compare/measure_method.h"
+#include "common/core/memory_use.h"
+#include "tests/command.h"
+#include "tests/statistics.h"
+
+namespace {
+
+using namespace command;
+using child_process::text_of;
+using tests::count_for;
+using Json = nlohmann::json;
+using CompareMemory = Command;
+
+constexpr bool sanitized = count_for(0, 1) == 1;  // freed memory stays with the sanitizer
+
+/// A glowing room of white walls, each in its place of the lightmap: no photon ends before the tracer gives
+/// it up, so that a single block of photons has a million hits, whatever number was asked for.
+GltfFile white_room() {
+    std::vector<float> positions, lightmap;
+    for (int wall = 0; wall < 6; ++wall)
+        for (const auto& [s, t] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
+            std::array<float, 3> corner{};
+            corner[wall / 2] = wall % 2 ? 1 : -1;
+            corner[(wall / 2 + 1) % 3] = s ? 1 : -1;
+            corner[(wall / 2 + 2) % 3] = t ? 1 : -1;
+            positions.insert(positions.end(), corner.begin(), corner.end());
+            lightmap.push_back((static_cast<float>(wall % 3) + 0.1f + 0.8f * static_cast<float>(s)) / 3);
+            lightmap.push_back((static_cast<float>(wall / 3) + 0.1f + 0.8f * static_cast<float>(t)) / 2);
+        }
+    GltfFile file = gltf_text::one_triangle();
+    file.primitive()["attributes"] = {{"POSITION", file.add_accessor(positions, gltf_text::f32, "VEC3")},
+                                      {"TEXCOORD_0", file.add_accessor(lightmap, gltf_text::f32, "VEC2")}};
+    file.material() = {{"doubleSided", true},
+                       {"emissiveFactor", {1, 1, 1}},
+                       {"pbrMetallicRoughness", {{"metallicFactor", 0}}}};
+    return file;
+}
+
+TEST_F(CompareMemory, EndsAMethodThatGrowsPastItsBoundAndGoesOn) {
+    const Ended ended =
+        run({"compare", write(white_room()), "--hits", "1000", "--repetitions", "2", "--texels", "4096",
+             "--methods", "photonmap/flann,photonmap/nanoflann,shlm/L0", "--camera", "0,0,0,1,0,0,60",
+             "--max-memory", "70MiB", "--out", path("results")});
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    const Json rows = Json::parse(text_of(path("results/compare.json")))["rows"];
+    ASSERT_EQ(rows.size(), 3u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_LT(rows[i]["needed_bytes"], rows[i]["max_memory_bytes"]) << "it was started";
+        ASSERT_TRUE(rows[i].contains("skipped"));
+        EXPECT_TRUE(
+            rows[i]["skipped"].get<std::string>().starts_with("grew past --max-memory, 0.0684 GiB, at "))
+            << rows[i];
+    }
+    if (sanitized) return;
+    EXPECT_FALSE(rows[2].contains("skipped")) << rows[2];
+    EXPECT_LT(rows[2]["peak_growth_bytes"], 70 << 20);
+}
+
+TEST_F(CompareMemory, SaysWhatWouldBeNeeded) {
+    const Ended ended = run({"compare", cornell, "--hits", "1000,1e9", "--repetitions", "1", "--methods",
+                             "photonmap/grid", "--max-memory", "1GiB", "--out", path("results")});
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    const Json rows = Json::parse(text_of(path("results/compare.json")))["rows"];
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_FALSE(rows[0].contains("skipped"));
+    EXPECT_EQ(rows[1]["skipped"], "needs 67.1 GiB");
+    EXPECT_GT(rows[1]["needed_bytes"], 7e10);
+    EXPECT_EQ(rows[1]["max_memory_bytes"], 1 << 30);
+}
+
+class MeasureMethod : public testing::Test {
+  protected:
+    const bench::LoadedScene scene{cornell, {}};
+    const bench::QueryPoints queries = bench::visible_query_points(scene, 1);
+    const common::PhotonSource source{scene.scene};
+    bench::PreparedMethods prepared{scene, {}};
+
+    bench::Measurement measure(const std::string& name, std::uint64_t hits, std::size_t max_bytes) {
+        return bench::measure_method(bench::parse_method("", name), prepared,
+                                     {scene, source, queries, 1, {.hits = hits}, {}, max_bytes});
+    }
+};
+
+TEST_F(MeasureMethod, GivesTheMemoryBack) {
+    if (sanitized) GTEST_SKIP() << "freed memory stays with the sanitizer";
+    const std::size_t before = common::resident_bytes();
+    const bench::Measurement m = measure("photonmap/flann-incremental", 5'000'000, 300 << 20);
+    EXPECT_TRUE(m.given_up.starts_with("grew past --max-memory, 0.293 GiB, at ")) << m.given_up;
+    EXPECT_LT(m.trace.hits, 5'000'000u);
+    EXPECT_GT(common::peak_resident_bytes(), before + (300u << 20));
+    common::reset_peak_resident_bytes();
+    EXPECT_LT(common::resident_bytes(), before + (60u << 20)) << "batches and buffers of the threads";
+}
+
+TEST_F(MeasureMethod, NeedsNoMoreThanWasComputed) {
+    if (sanitized) GTEST_SKIP() << "sanitizers add to all memory";
+    for (const char* name : {"photonmap/flann", "photonmap/nanoflann", "photonmap/grid",
+                             "photonmap/grid/r0.000001", "photonmap/flann-incremental", "shlm"})
+        for (const std::uint64_t hits : {10'000, 1'000'000}) {
+            const std::size_t needed = bench::needed_bytes(bench::parse_method("", name), {}, hits);
+            const bench::Measurement m = measure(name, hits, needed);
+            EXPECT_EQ(m.given_up, "") << name;
+            if (!m.peak_is_of_this_run) GTEST_SKIP() << "the peak cannot be reset here";
+            EXPECT_LE(m.peak_resident_bytes, m.resident_before_bytes + needed) << name << ", " << hits;
+        }
+}
+
+}  // namespace

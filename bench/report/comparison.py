@@ -38,6 +38,10 @@ class Comparison:
         by_hits = self._measured[scene, method]
         return [by_hits[hits] for hits in sorted(by_hits)]
 
+    def row(self, scene, method, hits):
+        """The measured row; None without one."""
+        return self._measured[scene, method].get(hits)
+
     def pairs(self, scene, method, other):
         """(row of method, row of other) for every number of hits that both were measured at."""
         mine, theirs = self._measured[scene, method], self._measured[scene, other]

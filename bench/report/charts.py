@@ -68,7 +68,8 @@ def chart(comparison, name, title, unit, draw):
     figure.suptitle(title)
     figure.text(0.01, 0.005, caption(comparison), fontsize=5.5, color="#444444", va="bottom")
     by_label = {label: handle for axes in panels[0] for handle, label in zip(*axes.get_legend_handles_labels())}
-    columns = max(1, min(len(by_label), 2 * len(scenes)))
+    label_inches = 0.5 + 0.055 * max(map(len, by_label), default=0)
+    columns = max(1, min(len(by_label), int(figure.get_size_inches()[0] / label_inches)))
     rows = -(-len(by_label) // columns)
     below = (0.42 + 0.16 * rows) / figure.get_size_inches()[1]
     figure.legend(by_label.values(), by_label.keys(), loc="lower center", bbox_to_anchor=(0.5, 0.055), ncol=columns, fontsize=7)
@@ -92,8 +93,8 @@ def draw_gather(comparison):
     def draw(axes, scene):
         for method, style in styles(comparison).items():
             if rows := comparison.series(scene, method):
-                draw_line(axes, rows, "gather_us_per_query", style, f"{method}, image order")
-                draw_line(axes, rows, "gather_us_per_query_shuffled", style, f"{method}, shuffled", "--")
+                draw_line(axes, rows, "gather_us_per_query", style, method)
+                draw_line(axes, rows, "gather_us_per_query_shuffled", style, None, "--")
 
     return draw
 
@@ -127,13 +128,12 @@ def draw_beyond(axes, grows, style, wall):
 
 def label_ends(axes, ends):
     """Each method's bytes at a billion hits, beside the right edge and not on top of each other; `ends`: (bytes, text, colour)."""
-    low, high = axes.get_ylim()
-    decades = math.log10(high / low)
     least = 0.0
     for size, text, color in sorted(ends):
-        place = max(math.log10(size / low) / decades, least)
-        least = place + 0.045
-        axes.text(1.02, place, text, transform=axes.transAxes, color=color, fontsize=6.5, va="center")
+        place = max(size, least)
+        least = place * 1.9
+        axes.text(1.02, place, text, transform=axes.get_yaxis_transform(), color=color, fontsize=6.5, va="center")
+    axes.set_ylim(top=max(axes.get_ylim()[1], 2 * least))
 
 
 def draw_memory_wall(comparison):
@@ -171,7 +171,7 @@ def draw_time_to_map(comparison):
 def main():
     comparison = Comparison(sys.argv[1])
     chart(comparison, "insert", "Inserting a hit into the store", "ns per hit and thread", draw_methods(comparison, "insert_ns_per_hit"))
-    chart(comparison, "gather", "Irradiance at a visible point, one thread", "µs per query", draw_gather(comparison))
+    chart(comparison, "gather", "Irradiance at a visible point, one thread; dashed: points shuffled", "µs per query", draw_gather(comparison))
     chart(comparison, "bytes", "Memory of the map with its index", "bytes", draw_bytes(comparison))
     chart(comparison, "memory-wall", "Memory added to the process at its fullest; dashed: drawn on to a billion hits", "bytes", draw_memory_wall(comparison))
     chart(comparison, "time-to-map", "From nothing to a map that answers", "s: empty store, trace, insert, build", draw_time_to_map(comparison))

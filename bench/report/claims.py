@@ -41,6 +41,12 @@ def sure_spread(rows, figure):
     return {scene: max(1.0, max(low for low, _ in r) / min(high for _, high in r)) for scene, r in ranges.items()}
 
 
+def sure_growth(rows, figure):
+    """How often more a larger size costs than a smaller one, beyond the noise; 1 where it costs less."""
+    bounds = {scene: [figure.bounds(row) for row in series] for scene, series in rows.items() if len(series) > 1}
+    return {scene: max([1.0] + [low / high for i, (_, high) in enumerate(b) for low, _ in b[i + 1:]]) for scene, b in bounds.items()}
+
+
 def verdict_by_spread(spreads, sure, bound):
     """The bound is what still counts as constant; between the two spreads lies what noise may have done."""
     grows = [spread >= bound for spread in sure.values()]
@@ -49,13 +55,13 @@ def verdict_by_spread(spreads, sure, bound):
     return "confirmed" if max(spreads.values()) < bound else "not decided"
 
 
-def constancy_against(own, baseline_sure, bound):
-    """What a constant light map is worth beside this baseline: nothing where that is constant as well."""
-    if not baseline_sure:
+def constancy_against(own, baseline_growth, bound):
+    """What a constant light map is worth beside this baseline: nothing where that does not grow either."""
+    if not baseline_growth:
         return NOT_MEASURED
     if own != "confirmed":
         return own
-    return "confirmed" if any(spread >= bound for spread in baseline_sure.values()) else "no difference: constant as well"
+    return "confirmed" if any(growth >= bound for growth in baseline_growth.values()) else "no difference: it does not grow either"
 
 
 def listing(values, form="{:.2f}"):
@@ -128,7 +134,7 @@ def constant_insert(comparison):
     verdicts, clauses = [], []
     for baseline in (incremental(comparison), strongest(comparison, INSERT_AND_BUILD_NS)):
         theirs = baseline_rows(comparison, baseline, filled)
-        verdicts.append(constancy_against(own, sure_spread(theirs, INSERT_AND_BUILD_NS), bound))
+        verdicts.append(constancy_against(own, sure_growth(theirs, INSERT_AND_BUILD_NS), bound))
         clauses.append(f"{baseline.name} {listing(spread_over_hits(theirs, INSERT_AND_BUILD_NS))}")
     short = {f"{row['scene']} {count_text(row['hits_asked'])}": row["insert_ns_per_hit"]
              for row in rows_of(comparison, LIGHT_MAP) if not filled(row)}
@@ -171,7 +177,7 @@ def constant_memory(comparison):
     sizes = {scene: series[0]["bytes"] / 2**20 for scene in comparison.scenes if (series := comparison.series(scene, LIGHT_MAP))}
     verdicts, clauses = [], []
     for baseline in (incremental(comparison), strongest(comparison, BYTES)):
-        verdicts.append(constancy_against(own, spread_over_hits(baseline_rows(comparison, baseline), BYTES), bound))
+        verdicts.append(constancy_against(own, sure_growth(baseline_rows(comparison, baseline), BYTES), bound))
         if smaller := crossings(comparison, baseline):
             clauses.append(f" {baseline.name} is the smaller one below " + ", ".join(f"{h} hits ({s})" for s, h in smaller.items()) + ".")
     return Finding("constant-memory", says, own,
@@ -210,7 +216,7 @@ def constant_gather(comparison):
     verdicts, clauses = [], []
     for baseline in (incremental(comparison), strongest(comparison, GATHER_US, answers_as_the_reference)):
         theirs = baseline_rows(comparison, baseline)
-        verdicts.append(constancy_against(own, sure_spread(theirs, GATHER_US), bound))
+        verdicts.append(constancy_against(own, sure_growth(theirs, GATHER_US), bound))
         clauses.append(f"{baseline.name} {listing(spread_over_hits(theirs, GATHER_US))}")
     return Finding("constant-gather", says, own,
                    f"Slowest over fastest median over {hits_range(rows_of(comparison, LIGHT_MAP))}: {listing(spreads)}; "

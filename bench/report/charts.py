@@ -56,7 +56,7 @@ def caption(comparison):
 def chart(comparison, name, title, unit, draw):
     """One panel per scene, same axes; `draw(axes, scene)` fills a panel."""
     scenes = comparison.scenes
-    figure, panels = plt.subplots(1, len(scenes), figsize=(1.2 + 3.4 * len(scenes), 4.6), sharey=True, squeeze=False)
+    figure, panels = plt.subplots(1, len(scenes), figsize=(max(7.0, 1.2 + 3.4 * len(scenes)), 4.6), sharey=True, squeeze=False)
     for axes, scene in zip(panels[0], scenes):
         draw(axes, scene)
         axes.set_xscale("log")
@@ -173,7 +173,7 @@ def main():
     chart(comparison, "insert", "Inserting a hit into the store", "ns per hit and thread", draw_methods(comparison, "insert_ns_per_hit"))
     chart(comparison, "gather", "Irradiance at a visible point, one thread; dashed: points shuffled", "µs per query", draw_gather(comparison))
     chart(comparison, "bytes", "Memory of the map with its index", "bytes", draw_bytes(comparison))
-    chart(comparison, "memory-wall", "Memory added to the process at its fullest; dashed: drawn on to a billion hits", "bytes", draw_memory_wall(comparison))
+    chart(comparison, "memory-wall", "Memory added to the process; dashed: drawn on to a billion hits", "bytes", draw_memory_wall(comparison))
     chart(comparison, "time-to-map", "From nothing to a map that answers", "s: empty store, trace, insert, build", draw_time_to_map(comparison))
 
 

@@ -2,6 +2,7 @@
 // and the others go on.
 #include "bench/app/memory_need.h"
 #include "bench/compare/measure_method.h"
+#include "bench/compare/row.h"
 #include "common/core/memory_use.h"
 #include "tests/command.h"
 #include "tests/statistics.h"
@@ -69,6 +70,23 @@ TEST_F(CompareMemory, SaysWhatWouldBeNeeded) {
     EXPECT_EQ(rows[1]["skipped"], "needs 67.1 GiB");
     EXPECT_GT(rows[1]["needed_bytes"], 7e10);
     EXPECT_EQ(rows[1]["max_memory_bytes"], 1 << 30);
+}
+
+TEST(CompareRow, SaysWhereThePeakIsNotOfTheRunAlone) {
+    bench::RowInput input;
+    input.method = bench::parse_method("", "photonmap");
+    input.queries = 1;
+    input.null_sink.emplace_back().trace_seconds = 1;
+    bench::Measurement m;
+    m.trace.hits = 1;
+    m.resident_before_bytes = 100;
+    m.peak_resident_bytes = 350;
+    input.measurements = {m};
+    EXPECT_EQ(bench::make_row(input)["peak_growth_bytes"], 250);
+    input.measurements.front().peak_is_of_this_run = false;
+    const auto row = bench::make_row(input);
+    EXPECT_FALSE(row.contains("peak_growth_bytes"));
+    EXPECT_EQ(row["peak_rss_note"], "since the process began: the system does not let it be reset");
 }
 
 class MeasureMethod : public testing::Test {

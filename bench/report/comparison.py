@@ -42,11 +42,6 @@ class Comparison:
         """The measured row; None without one."""
         return self._measured[scene, method].get(hits)
 
-    def pairs(self, scene, method, other):
-        """(row of method, row of other) for every number of hits that both were measured at."""
-        mine, theirs = self._measured[scene, method], self._measured[scene, other]
-        return [(mine[hits], theirs[hits]) for hits in sorted(mine.keys() & theirs.keys())]
-
 
 def map_seconds(row):
     """From nothing to a map that can be asked: the empty store, trace, insert, build."""

@@ -24,12 +24,12 @@ void evaluate(benchmark::State& state, SharedInputs& inputs) {
 /// Items: texels of a finished map, each asked for its own normal.
 void irradiance(benchmark::State& state, SharedInputs& inputs) {
     PreparedMethods& methods = inputs.methods(texels);
-    const auto map =
-        map_of(inputs.recording(hits), shlm::Sink<shlm::PaperModel>(methods.texels(), shlm::NearestTexels{}));
+    const auto map = map_of(inputs.recording(hits),
+                            shlm::Sink<shlm::PaperModel>(methods.texels(), shlm::NearestTexels{}));
     for (auto _ : state)
         for (const auto& texel : map.texels()) {
-            common::Rgb irradiance =
-                shlm::evaluate_series<shlm::PaperModel>(texel.light, shlm::evaluate_sh<2>(texel.face.normal));
+            common::Rgb irradiance = shlm::evaluate_series<shlm::PaperModel>(
+                texel.light, shlm::evaluate_sh<2>(texel.face.normal));
             benchmark::DoNotOptimize(irradiance);
         }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(map.texels().size()));

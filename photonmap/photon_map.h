@@ -63,10 +63,7 @@ class PhotonMap {
           watts_per_flux_(watts_per_flux),
           kernel_(settings.kernel),
           nearest_(number_of_nearest(settings.selection, stored_->photons.size())),
-          max_radius_(settings.max_radius) {
-        if (const auto* fixed = std::get_if<FixedRadius>(&settings.selection))
-            max_radius_ = static_cast<float>(fixed->diagonal_fraction) * scene.diagonal();
-    }
+          max_radius_(largest_radius(settings, scene.diagonal())) {}
 
     static std::size_t number_of_nearest(const PhotonSelection& selection, std::size_t photons) {
         if (const auto* nearest = std::get_if<NearestPhotons>(&selection)) return nearest->count;

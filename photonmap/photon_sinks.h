@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/point_index/flann_index.h"
+#include "common/point_index/nanoflann_index.h"
 #include "photonmap/photon_map.h"
 
 namespace photonmap {
@@ -59,9 +60,11 @@ class IncrementalPhotonSink {
 };
 
 using FlannPhotonSink = BulkPhotonSink<common::FlannIndex>;
+using NanoflannPhotonSink = BulkPhotonSink<common::NanoflannIndex>;
 using FlannIncrementalPhotonSink = IncrementalPhotonSink<common::FlannIncrementalIndex>;
 
 static_assert(common::MapSink<FlannPhotonSink>);
+static_assert(common::MapSink<NanoflannPhotonSink>);
 static_assert(common::MapSink<FlannIncrementalPhotonSink>);
 static_assert(common::IrradianceEstimator<PhotonMap<common::FlannIndex>>);
 

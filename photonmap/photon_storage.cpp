@@ -41,16 +41,20 @@ void PhotonStorage::append(std::span<const common::HitBatch> wave) {
 }
 
 PhotonStorage PhotonStorage::sorted_along_curve() && {
-    const PhotonStorage unsorted = std::move(*this);  // given back on return: an index is built next
-    const std::vector<std::uint32_t> order = common::morton_order(unsorted.positions());
+    return std::move(*this).in_order(common::morton_order(positions()));
+}
+
+PhotonStorage PhotonStorage::in_order(std::span<const std::uint32_t> order) && {
     PhotonStorage sorted;
-    sorted.rejected_ = unsorted.rejected_;
-    const std::span<common::Vec3> positions = sorted.positions_.grow(unsorted.size());
-    const std::span<Photon> photons = sorted.photons_.grow(unsorted.size());
-    tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t i) {
-        positions[i] = unsorted.positions_[order[i]];
-        photons[i] = unsorted.photons_[order[i]];
-    });
+    sorted.rejected_ = rejected_;
+    // One column after the other, each given back at once: the two copies decide how many photons fit.
+    const auto move_column = [&](auto& sorted_column, auto& own_column) {
+        const auto column = std::move(own_column);
+        const auto out = sorted_column.grow(column.size());
+        tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t i) { out[i] = column[order[i]]; });
+    };
+    move_column(sorted.positions_, positions_);
+    move_column(sorted.photons_, photons_);
     return sorted;
 }
 

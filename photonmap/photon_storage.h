@@ -13,7 +13,7 @@ namespace photonmap {
 class PhotonStorage {
   public:
     /// Room for what one index can count.
-    static constexpr std::size_t max_photons = 0x7fffffff;
+    static constexpr std::size_t max_photons = 0xffffffff;
 
     /// Appends the finite hits of a wave in order, with all threads of the calling arena. Throws
     /// std::bad_alloc past max_photons.
@@ -21,6 +21,9 @@ class PhotonStorage {
 
     /// The same photons in the order of common::morton_order.
     [[nodiscard]] PhotonStorage sorted_along_curve() &&;
+
+    /// The same photons, those of `order` one after the other: each index once.
+    [[nodiscard]] PhotonStorage in_order(std::span<const std::uint32_t> order) &&;
 
     [[nodiscard]] const Photon& operator[](std::size_t i) const { return photons_[i]; }
     [[nodiscard]] std::span<const common::Vec3> positions() const { return positions_.span(); }

@@ -26,12 +26,15 @@ TEST(MethodName, TakesDefaultsForWhatIsLeftOut) {
     EXPECT_EQ(full_name("shlm/L2/flux"), "shlm/L2/flux/knn4");
     EXPECT_EQ(full_name("photonmap"), "photonmap/flann/k50/disc");
     EXPECT_EQ(full_name("photonmap/flann-incremental"), "photonmap/flann-incremental/k50/disc");
+    EXPECT_EQ(full_name("photonmap/nanoflann"), "photonmap/nanoflann/k50/disc");
+    EXPECT_EQ(full_name("photonmap/grid"), "photonmap/grid/r0.003/disc");
 }
 
 TEST(MethodName, StaysAsItIsWhereItIsFull) {
     for (const char* name :
          {"shlm/L0/normalised/own", "shlm/L4/radiance/bilinear", "shlm/L2/radiance/knn8/t65536",
-          "photonmap/flann/k200/cone", "photonmap/flann/k0.05n23/epanechnikov", "photonmap/flann/r0.003/disc"})
+          "photonmap/flann/k200/cone", "photonmap/flann/k0.05n23/epanechnikov", "photonmap/flann/r0.003/disc",
+          "photonmap/nanoflann/k0.05n23/cone", "photonmap/grid/r0.01/cone"})
         EXPECT_EQ(full_name(name), name);
 }
 
@@ -59,6 +62,9 @@ TEST(MethodName, OneStoreServesMethodsThatAskItDifferently) {
     EXPECT_FALSE(alike("shlm/L2/radiance/knn4", "shlm/L2/radiance/knn4/t64"));
     EXPECT_TRUE(alike("photonmap/flann/k50/disc", "photonmap/flann/r0.01/cone"));
     EXPECT_FALSE(alike("photonmap/flann", "photonmap/flann-incremental"));
+    EXPECT_FALSE(alike("photonmap/flann", "photonmap/nanoflann"));
+    EXPECT_TRUE(alike("photonmap/grid/r0.01/disc", "photonmap/grid/r0.01/cone"));
+    EXPECT_FALSE(alike("photonmap/grid/r0.01", "photonmap/grid/r0.02")) << "a grid is made for its radius";
     EXPECT_FALSE(alike("photonmap", "shlm"));
 }
 
@@ -80,6 +86,10 @@ TEST(MethodName, EveryComplaintNamesTheOptionAndTheChoices) {
              {"photonmap/flann/k-1n23", {"'k-1n23'"}},
              {"photonmap/flann/r0", {"'r0'", "rF"}},
              {"photonmap/flann/rnan", {"'rnan'"}},
+             {"photonmap/oak", {"nanoflann", "grid"}},
+             {"photonmap/grid/k50", {"'k50'", "a grid knows no other selection"}},
+             {"photonmap/grid/k0.1n23", {"'k0.1n23'", "a grid knows no other selection"}},
+             {"photonmap/grid/r2", {"'r2'", "from 1e-6 to 1"}},
              {"photonmap/flann/k50/gauss", {"'gauss'", "disc", "cone", "epanechnikov"}},
              {"photonmap/flann/k50/disc/t64", {"'t64'", "expected after a whole name"}}}) {
         const std::string line = complaint(name);

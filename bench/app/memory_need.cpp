@@ -9,7 +9,10 @@ namespace bench {
 namespace {
 
 constexpr double photon_bytes = sizeof(common::Vec3) + sizeof(photonmap::Photon);
+constexpr double sorting_bytes = sizeof(photonmap::Photon) + sizeof(std::uint32_t);  // beside the photons
 constexpr double flann_bytes = 46;              // bulk tree: 33 to 42 by leaf fill
+constexpr double nanoflann_bytes = 12;          // 7 to 8 by leaf fill
+constexpr double grid_bytes = 8;                // at most two cells a photon
 constexpr double flann_incremental_bytes = 96;  // 75, and FLANN's array of pointers while it grows
 constexpr double wave_bytes = 64e6;             // hits on their way to a store
 
@@ -23,8 +26,33 @@ double texel_bytes(const ShlmMethod& method) {
     });
 }
 
-double photon_map_bytes_per_hit(const PhotonMapMethod& method) {
-    return photon_bytes + (method.engine == PhotonMapEngine::flann ? flann_bytes : flann_incremental_bytes);
+/// At its fullest: while the photons are sorted, or with the index.
+double photon_map_bytes_per_hit(PhotonMapEngine engine) {
+    switch (engine) {
+        case PhotonMapEngine::flann:
+            return photon_bytes + std::max(sorting_bytes, flann_bytes);
+        case PhotonMapEngine::nanoflann:
+            return photon_bytes + std::max(sorting_bytes, nanoflann_bytes);
+        case PhotonMapEngine::grid:
+            return photon_bytes + std::max(sorting_bytes, grid_bytes);
+        case PhotonMapEngine::flann_incremental:
+            break;
+    }
+    return photon_bytes + flann_incremental_bytes;
+}
+
+/// Photons that the engine's indices can count.
+std::size_t most_photons(PhotonMapEngine engine) {
+    switch (engine) {
+        case PhotonMapEngine::nanoflann:
+            return common::NanoflannIndex::max_points;
+        case PhotonMapEngine::grid:
+            return common::GridIndex::max_points;
+        case PhotonMapEngine::flann:
+        case PhotonMapEngine::flann_incremental:
+            break;
+    }
+    return common::max_flann_points;
 }
 
 double gibibytes(std::size_t bytes) {
@@ -38,7 +66,7 @@ std::size_t needed_bytes(const Method& method, const MethodSettings& settings, s
         method.light_map()
             ? static_cast<double>(PreparedMethods::texel_count(*method.light_map(), settings)) *
                   texel_bytes(*method.light_map())
-            : static_cast<double>(hits) * photon_map_bytes_per_hit(*method.photon_map());
+            : static_cast<double>(hits) * photon_map_bytes_per_hit(method.photon_map()->engine);
     return static_cast<std::size_t>(bytes + wave_bytes);
 }
 
@@ -46,8 +74,11 @@ std::string reason_to_skip(const Method& method, const MethodSettings& settings,
                            std::size_t max_bytes) {
     const std::size_t needed = needed_bytes(method, settings, hits);
     if (needed > max_bytes) return fmt::format("needs {:.1f} GiB", gibibytes(needed));
-    if (method.photon_map() && hits > common::max_flann_points - (1u << 20))
-        return fmt::format("FLANN holds at most {} points", common::max_flann_points);
+    if (const PhotonMapMethod* photon_map = method.photon_map()) {
+        constexpr std::size_t last_wave = 1 << 20;  // a run ends a little past its number of hits
+        const std::size_t most = most_photons(photon_map->engine);
+        if (hits > most - last_wave) return fmt::format("the engine holds at most {} photons", most);
+    }
     return "";
 }
 

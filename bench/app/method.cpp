@@ -83,8 +83,11 @@ constexpr std::array<std::pair<const char*, shlm::ShWeight>, 3> weights = {
     {{"radiance", shlm::ShWeight::radiance},
      {"flux", shlm::ShWeight::flux},
      {"normalised", shlm::ShWeight::normalised}}};
-constexpr std::array<std::pair<const char*, PhotonMapEngine>, 2> engines = {
-    {{"flann", PhotonMapEngine::flann}, {"flann-incremental", PhotonMapEngine::flann_incremental}}};
+constexpr std::array<std::pair<const char*, PhotonMapEngine>, 4> engines = {
+    {{"flann", PhotonMapEngine::flann},
+     {"nanoflann", PhotonMapEngine::nanoflann},
+     {"grid", PhotonMapEngine::grid},
+     {"flann-incremental", PhotonMapEngine::flann_incremental}}};
 constexpr std::array<std::pair<const char*, photonmap::Kernel>, 3> kernels = {
     {{"disc", photonmap::Kernel::disc},
      {"cone", photonmap::Kernel::cone},
@@ -136,14 +139,26 @@ ShlmMethod take_shlm(NameParts& parts) {
 
 // --- photon maps
 
+std::optional<photonmap::FixedRadius> fixed_radius(const std::string& part) {
+    const auto fraction = number_between("r", part, "");
+    if (!fraction || *fraction < 1e-6 || *fraction > 1) return std::nullopt;
+    return photonmap::FixedRadius{*fraction};
+}
+
+/// A grid finds what lies within the radius that its cells were made for, and knows no k nearest.
+photonmap::PhotonSelection take_radius(NameParts& parts) {
+    const std::string part = parts.take("r0.003");
+    if (const auto radius = fixed_radius(part)) return *radius;
+    parts.complain(part, "a radius rF of F scene diagonals, from 1e-6 to 1: a grid knows no other selection");
+}
+
 photonmap::PhotonSelection take_selection(NameParts& parts) {
     const std::string part = parts.take("k50");
     if (const auto count = count_between("k", part, 2, most_neighbours))
         return photonmap::NearestPhotons{*count};
     if (const auto factor = number_between("k", part, "n23"); factor && *factor > 0 && *factor <= 1)
         return photonmap::GrowingNumber{*factor};
-    if (const auto fraction = number_between("r", part, ""); fraction && *fraction >= 1e-6 && *fraction <= 1)
-        return photonmap::FixedRadius{*fraction};
+    if (const auto radius = fixed_radius(part)) return *radius;
     parts.complain(
         part,
         fmt::format("kK with K from 2 to {} (one photon has no density), kCn23 for k = C N^(2/3), or rF for "
@@ -167,7 +182,7 @@ std::string name_of(const PhotonMapMethod& method) {
 PhotonMapMethod take_photon_map(NameParts& parts) {
     PhotonMapMethod method;
     method.engine = parts.take_one_of(engines);
-    method.selection = take_selection(parts);
+    method.selection = method.engine == PhotonMapEngine::grid ? take_radius(parts) : take_selection(parts);
     method.kernel = parts.take_one_of(kernels);
     return method;
 }

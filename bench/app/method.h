@@ -27,16 +27,21 @@ struct ShlmMethod {
 
 enum class PhotonMapEngine {
     flann,             ///< one bulk build of KDTreeSingleIndex: how photon maps are made today
+    nanoflann,         ///< the same with the library that people would choose today
+    grid,              ///< cells of the gather's radius: for FixedRadius only
     flann_incremental  ///< every photon inserted into KDTreeIndex: what the paper measures itself against
 };
 
-/// photonmap / flann flann-incremental / kK kFACTORn23 rFRACTION / disc cone epanechnikov
+/// photonmap / flann nanoflann grid flann-incremental / kK kFACTORn23 rFRACTION / disc cone epanechnikov
 struct PhotonMapMethod {
     PhotonMapEngine engine = PhotonMapEngine::flann;
     photonmap::PhotonSelection selection;
     photonmap::Kernel kernel = photonmap::Kernel::disc;
 
-    [[nodiscard]] bool fills_as(const PhotonMapMethod& other) const { return engine == other.engine; }
+    /// Whether one store can serve both: a grid is made for its radius.
+    [[nodiscard]] bool fills_as(const PhotonMapMethod& other) const {
+        return engine == other.engine && (engine != PhotonMapEngine::grid || selection == other.selection);
+    }
 };
 
 struct Method {

@@ -6,6 +6,7 @@
 
 #include "bench/app/method.h"
 #include "bench/app/scene_options.h"
+#include "photonmap/grid_photon_sink.h"
 #include "photonmap/photon_sinks.h"
 #include "shlm/sink.h"
 
@@ -95,8 +96,16 @@ auto with_sink(const Method& method, PreparedMethods& prepared, const common::Ph
         });
     const PhotonMapMethod& photon_map = *method.photon_map();
     const photonmap::GatherSettings gather = gather_of(photon_map, prepared.settings().max_radius);
-    if (photon_map.engine == PhotonMapEngine::flann_incremental)
-        return work(photonmap::FlannIncrementalPhotonSink(prepared.scene(), gather));
+    switch (photon_map.engine) {
+        case PhotonMapEngine::nanoflann:
+            return work(photonmap::NanoflannPhotonSink(prepared.scene(), gather));
+        case PhotonMapEngine::grid:
+            return work(photonmap::GridPhotonSink(prepared.scene(), gather));
+        case PhotonMapEngine::flann_incremental:
+            return work(photonmap::FlannIncrementalPhotonSink(prepared.scene(), gather));
+        case PhotonMapEngine::flann:
+            break;
+    }
     return work(photonmap::FlannPhotonSink(prepared.scene(), gather));
 }
 

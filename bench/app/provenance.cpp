@@ -12,6 +12,7 @@
 
 #include <ctime>
 #include <fstream>
+#include <nanoflann.hpp>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -44,6 +45,8 @@ std::string build_time() {
 Json libraries() {
     return {{"embree", RTC_VERSION_STRING},
             {"flann", FLANN_VERSION_},
+            {"nanoflann", fmt::format("{:x}.{:x}.{:x}", NANOFLANN_VERSION >> 8, NANOFLANN_VERSION >> 4 & 0xf,
+                                      NANOFLANN_VERSION & 0xf)},
             {"openimageio", OIIO_VERSION_STRING},
             {"openexr", OPENEXR_VERSION_STRING},
             {"imath", IMATH_VERSION_STRING},

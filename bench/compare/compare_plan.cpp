@@ -17,8 +17,10 @@ void CompareOptions::add_to(CLI::App& command) {
         ->capture_default_str();
     command.add_option("--out", out, "Folder for compare.json, compare.csv, charts and images")
         ->capture_default_str();
-    command.add_option("--max-memory", max_memory,
-                       "Methods that would need more are not started; default: 9/10 of what is free");
+    command.add_option(
+        "--max-memory", max_memory,
+        "Methods that would need more are not started, and ended where they grow past it; default: 9/10 "
+        "of what is free");
     command
         .add_option("--repetitions", repetitions, "Runs of each method, interleaved; the table has medians")
         ->capture_default_str();

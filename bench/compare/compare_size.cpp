@@ -26,6 +26,8 @@ RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const Met
                  .texels = 0,
                  .null_sink = {},
                  .measurements = {},
+                 .needed_bytes = needed_bytes(method, plan.settings, hits),
+                 .max_bytes = plan.max_bytes,
                  .skipped = reason_to_skip(method, plan.settings, hits, plan.max_bytes)};
     if (!row.skipped.empty() || !method.light_map()) return row;
     try {
@@ -48,7 +50,8 @@ bool run_once(const ComparePlan& plan, const CompareScene& scene, std::uint64_t 
                         [&progress](const common::TraceReport& so_far) {
                             progress.show(so_far.hits);
                             return !common::interrupted();
-                        }};
+                        },
+                        plan.max_bytes};
     };
     common::Progress null_progress(fmt::format("{} {} null sink", scene.loaded.name, hits), "hits", hits);
     const common::TraceReport null_sink = measure_null_sink(workload(null_progress));
@@ -62,6 +65,7 @@ bool run_once(const ComparePlan& plan, const CompareScene& scene, std::uint64_t 
                                   "hits", hits);
         measured[m] = measure_method(rows[m].method, scene.prepared, workload(progress));
         if (common::interrupted()) return false;
+        rows[m].skipped = measured[m].given_up;  // for this repetition and those that would come
     }
     for (std::size_t m = 0; m < rows.size(); ++m) {
         if (!rows[m].skipped.empty()) continue;
@@ -86,11 +90,12 @@ SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
     for (const Method& method : methods) rows.push_back(begin_row(plan, scene, method, hits));
 
     SizeResult result;
-    const bool anything =
-        std::any_of(rows.begin(), rows.end(), [](const RowInput& r) { return r.skipped.empty(); });
-    if (anything) warm_up(plan, scene, hits);
+    const auto anything = [&] {
+        return std::any_of(rows.begin(), rows.end(), [](const RowInput& r) { return r.skipped.empty(); });
+    };
+    if (anything()) warm_up(plan, scene, hits);
     const auto start = std::chrono::steady_clock::now();
-    for (std::size_t done = 0; anything && done < plan.repetitions && !result.interrupted; ++done) {
+    for (std::size_t done = 0; anything() && done < plan.repetitions && !result.interrupted; ++done) {
         const double elapsed =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const double after_one_more =

@@ -1,5 +1,9 @@
 #include "bench/compare/measure_method.h"
 
+#include <fmt/format.h>
+
+#include <new>
+
 #include "bench/app/stopwatch.h"
 #include "common/core/memory_use.h"
 #include "common/tracer/null_sink.h"
@@ -23,12 +27,24 @@ double gather_all(const Map& map, std::span<const common::SurfacePoint> points) 
     return sum;
 }
 
+std::string past_its_bound(const Workload& w, std::uint64_t hits) {
+    return fmt::format("grew past --max-memory, {:.3g} GiB, at {:.3g} hits",
+                       static_cast<double>(w.max_bytes) * 0x1p-30, static_cast<double>(hits));
+}
+
 template <class Sink>
-Measurement measure(Sink sink, double making_room_seconds, const Workload& w) {
-    Measurement m;
-    m.making_room_seconds = making_room_seconds;
-    m.trace = trace_into(sink, w);
-    if (m.trace.interrupted) return m;
+void measure(Sink sink, const Workload& w, Measurement& m) {
+    const auto too_large = [&] {
+        const std::size_t now = common::resident_bytes();
+        return now > m.resident_before_bytes && now - m.resident_before_bytes > w.max_bytes;
+    };
+    Workload watched = w;
+    watched.progress = [&](const common::TraceReport& so_far) {
+        if (too_large()) m.given_up = past_its_bound(w, so_far.hits);
+        return m.given_up.empty() && (!w.progress || w.progress(so_far));
+    };
+    m.trace = trace_into(sink, watched);
+    if (m.trace.interrupted) return;
     m.rejected = sink.rejected();
     m.insert_bytes = sink.bytes();
 
@@ -36,6 +52,11 @@ Measurement measure(Sink sink, double making_room_seconds, const Workload& w) {
     const auto map = common::finish_map(std::move(sink), m.trace);
     m.build_seconds = build.seconds();
     m.bytes = map.bytes();
+    if (too_large()) {
+        m.given_up = past_its_bound(w, m.trace.hits);
+        m.trace.interrupted = true;
+        return;
+    }
 
     const Stopwatch gather;
     const double sum = gather_all(map, w.queries.image_order);
@@ -45,17 +66,26 @@ Measurement measure(Sink sink, double making_room_seconds, const Workload& w) {
     m.gather_shuffled_seconds = gather_shuffled.seconds();
     m.mean_irradiance = (sum + shuffled_sum) / (6.0 * static_cast<double>(w.queries.image_order.size()));
     m.peak_resident_bytes = common::peak_resident_bytes();
-    return m;
 }
 
 }  // namespace
 
 Measurement measure_method(const Method& method, PreparedMethods& prepared, const Workload& workload) {
     if (method.light_map()) (void)prepared.texels_of(*method.light_map());  // the scene's, not the run's
-    common::reset_peak_resident_bytes();
-    const Stopwatch making_room;
-    return with_sink(method, prepared, workload.source,
-                     [&](auto sink) { return measure(std::move(sink), making_room.seconds(), workload); });
+    Measurement m;
+    m.peak_is_of_this_run = common::reset_peak_resident_bytes();
+    m.resident_before_bytes = common::resident_bytes();
+    try {
+        const Stopwatch making_room;
+        with_sink(method, prepared, workload.source, [&](auto sink) {
+            m.making_room_seconds = making_room.seconds();
+            measure(std::move(sink), workload, m);
+        });
+    } catch (const std::bad_alloc&) {
+        m.given_up = "found no more memory";
+        m.trace.interrupted = true;
+    }
+    return m;
 }
 
 common::TraceReport measure_null_sink(const Workload& workload) {

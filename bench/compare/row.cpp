@@ -53,6 +53,21 @@ void add_times(Json& row, const RowInput& in) {
                each(m, [&](const auto& x) { return 1e6 * x.gather_shuffled_seconds / queries; }));
 }
 
+/// Peak of the process, and what of it this method added.
+void add_peak(Json& row, const RowInput& in) {
+    const auto bytes = [&](auto value) {
+        return static_cast<std::size_t>(median(
+            each(in.measurements, [&](const Measurement& m) { return static_cast<double>(value(m)); })));
+    };
+    row["peak_rss_bytes"] = bytes([](const Measurement& m) { return m.peak_resident_bytes; });
+    if (in.measurements.front().peak_is_of_this_run)
+        row["peak_growth_bytes"] = bytes([](const Measurement& m) {
+            return m.peak_resident_bytes - std::min(m.resident_before_bytes, m.peak_resident_bytes);
+        });
+    else
+        row["peak_rss_note"] = "since the process began: the system does not let it be reset";
+}
+
 std::string csv_cell(const Json& value) {
     return value.is_string() ? fmt::format("\"{}\"", value.get<std::string>()) : value.dump();
 }
@@ -62,6 +77,8 @@ std::string csv_cell(const Json& value) {
 Json make_row(const RowInput& in) {
     Json row = {{"scene", in.scene}, {"method", in.method.name}, {"hits_asked", in.hits_asked},
                 {"seed", in.seed},   {"threads", in.threads},    {"fingerprint", in.fingerprint}};
+    row["needed_bytes"] = in.needed_bytes;
+    row["max_memory_bytes"] = in.max_bytes;
     if (!in.skipped.empty()) {
         row["skipped"] = in.skipped;
         return row;
@@ -82,8 +99,7 @@ Json make_row(const RowInput& in) {
     add_times(row, in);
     row["bytes"] = first.bytes;
     row["insert_bytes"] = first.insert_bytes;
-    row["peak_rss_bytes"] = static_cast<std::size_t>(median(
-        each(in.measurements, [](const auto& x) { return static_cast<double>(x.peak_resident_bytes); })));
+    add_peak(row, in);
     row["mean_irradiance"] = first.mean_irradiance;
     return row;
 }

@@ -6,16 +6,17 @@
 namespace bench {
 namespace {
 
-/// Sorting recorded photons and FLANN's tree over them. Items: hits.
-void build_flann(benchmark::State& state, SharedInputs& inputs, std::uint64_t hits) {
+/// Sorting recorded photons and the index over them. Items: hits.
+template <class Sink>
+void build_photon_map(benchmark::State& state, SharedInputs& inputs, std::uint64_t hits,
+                      const photonmap::GatherSettings& settings) {
     for (auto _ : state) {
         state.PauseTiming();
-        photonmap::PhotonStorage photons;
-        for (const auto& wave : inputs.recording(hits).waves) photons.append(wave);
+        Sink sink(inputs.loaded().scene, settings);
+        replay(inputs.recording(hits), sink);
         state.ResumeTiming();
-        const photonmap::PhotonStorage sorted = std::move(photons).sorted_along_curve();
-        const common::FlannIndex index(sorted.positions());
-        benchmark::DoNotOptimize(index.bytes());
+        const auto map = common::finish_map(std::move(sink), inputs.recording(hits).report);
+        benchmark::DoNotOptimize(map.bytes());
     }
     state.SetItemsProcessed(state.iterations() *
                             static_cast<std::int64_t>(inputs.recording(hits).report.hits));
@@ -36,13 +37,23 @@ void build_light_map(benchmark::State& state, SharedInputs& inputs, std::size_t 
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(prepared.layout.texel_count()));
 }
 
+template <class Sink>
+void register_photon_map(SharedInputs& inputs, const char* engine,
+                         const photonmap::GatherSettings& settings = {}) {
+    for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u})
+        benchmark::RegisterBenchmark(fmt::format("build/photonmap-{}/hits:{}", engine, hits).c_str(),
+                                     [&inputs, hits, settings](benchmark::State& s) {
+                                         build_photon_map<Sink>(s, inputs, hits, settings);
+                                     })
+            ->UseRealTime();
+}
+
 }  // namespace
 
 void register_build_benchmarks(SharedInputs& inputs) {
-    for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u})
-        benchmark::RegisterBenchmark(fmt::format("build/photonmap-flann/hits:{}", hits).c_str(),
-                                     [&inputs, hits](benchmark::State& s) { build_flann(s, inputs, hits); })
-            ->UseRealTime();
+    register_photon_map<photonmap::FlannPhotonSink>(inputs, "flann");
+    register_photon_map<photonmap::NanoflannPhotonSink>(inputs, "nanoflann");
+    register_photon_map<photonmap::GridPhotonSink>(inputs, "grid", {photonmap::FixedRadius{0.003}});
     for (const std::size_t texels : {4'096u, 65'536u, 262'144u, 1'048'576u})
         benchmark::RegisterBenchmark(
             fmt::format("build/shlm/texels:{}", texels).c_str(),

@@ -21,10 +21,11 @@ double mean_irradiance(const Map& map, std::span<const common::SurfacePoint> poi
     return sum / (3.0 * static_cast<double>(points.size()));
 }
 
-auto photon_map(SharedInputs& inputs, std::uint64_t hits) {
+template <class Sink = photonmap::FlannPhotonSink>
+auto photon_map(SharedInputs& inputs, std::uint64_t hits, const photonmap::PhotonSelection& selection = {}) {
     const PreparedMethods& methods = inputs.methods(default_texels);
     return map_of(inputs.recording(hits),
-                  photonmap::FlannPhotonSink(methods.scene(), {.max_radius = methods.settings().max_radius}));
+                  Sink(methods.scene(), {selection, photonmap::Kernel::disc, methods.settings().max_radius}));
 }
 
 auto light_map(SharedInputs& inputs, std::size_t texels) {
@@ -95,6 +96,19 @@ void register_gather_benchmarks(SharedInputs& inputs) {
     for (const std::uint64_t hits : {100'000ul, default_hits, 4 * default_hits})
         register_gather(inputs, fmt::format("gather/photonmap-flann/hits:{}", hits),
                         lazy([&inputs, hits] { return photon_map(inputs, hits); }), of_light_map);
+    for (const std::uint64_t hits : {default_hits, 4 * default_hits}) {
+        using Nanoflann = photonmap::NanoflannPhotonSink;
+        using Grid = photonmap::GridPhotonSink;
+        constexpr photonmap::FixedRadius radius{0.003};
+        register_gather(inputs, fmt::format("gather/photonmap-nanoflann/hits:{}", hits),
+                        lazy([&inputs, hits] { return photon_map<Nanoflann>(inputs, hits); }), of_light_map);
+        register_gather(inputs, fmt::format("gather/photonmap-grid-r0.003/hits:{}", hits),
+                        lazy([&inputs, hits, radius] { return photon_map<Grid>(inputs, hits, radius); }),
+                        of_light_map);
+        register_gather(inputs, fmt::format("gather/photonmap-flann-r0.003/hits:{}", hits),
+                        lazy([&inputs, hits, radius] { return photon_map(inputs, hits, radius); }),
+                        of_light_map);
+    }
     for (const std::size_t texels : {4'096ul, 65'536ul, default_texels, 1'048'576ul})
         register_gather(inputs, fmt::format("gather/shlm/texels:{}", texels),
                         lazy([&inputs, texels] { return light_map(inputs, texels); }), of_photon_map);

@@ -5,47 +5,46 @@ noise, not measured yet) and what was measured. Times are compared by medians; a
 not touch.
 """
 
-from comparison import INCREMENTAL, LIGHT_MAP, MAP_COLUMNS, PHOTON_MAP, count_text, map_seconds
+from baselines import (BYTES, GATHER_US, INSERT_AND_BUILD_NS, INSERT_NS, MAP_SECONDS, answers_as_the_reference, engine_of,
+                       incremental, outcome, strongest)
+from billion_hits import billion_hits
+from comparison import LIGHT_MAP, count_text
 from finding import Finding, not_measured
+from memory_wall import bytes_text, light_map_peaks, peak_bound
 from study_claims import CONVERGES, NORMAL_MAPS, accuracy_crossings, converges, normal_maps
 
-
-def bounds(row, columns):
-    """Smallest and largest sum of the columns over the repetitions, from their ranges."""
-    low = sum(row[c + "_range"][0] for c in columns)
-    high = sum(row[c + "_range"][1] for c in columns)
-    return low, high
-
-
-def outcome(mine, theirs, columns):
-    """-1: mine is clearly less, 1: clearly more, 0: the ranges touch."""
-    my_low, my_high = bounds(mine, columns)
-    their_low, their_high = bounds(theirs, columns)
-    return -1 if my_high < their_low else 1 if my_low > their_high else 0
+NOT_MEASURED = "not measured"
 
 
 def rows_of(comparison, method):
     return [row for scene in comparison.scenes for row in comparison.series(scene, method)]
 
 
-def spread_over_hits(comparison, method, column, is_counted=lambda row: True):
-    """Per scene: largest over smallest median as the hits grow, over the rows that count."""
-    spreads = {}
-    for scene in comparison.scenes:
-        values = [row[column] for row in comparison.series(scene, method) if is_counted(row)]
-        if len(values) > 1:
-            spreads[scene] = max(values) / min(values)
-    return spreads
+def light_map_rows(comparison, is_counted=lambda row: True):
+    """Per scene, those that count."""
+    return {scene: [row for row in comparison.series(scene, LIGHT_MAP) if is_counted(row)] for scene in comparison.scenes}
 
 
-def sure_spread(comparison, method, column, is_counted=lambda row: True):
+def baseline_rows(comparison, baseline, is_counted=lambda row: True):
+    return {scene: [row for row in baseline.series(comparison, scene) if is_counted(row)] for scene in comparison.scenes}
+
+
+def spread_over_hits(rows, figure):
+    """Per scene: largest over smallest median as the hits grow."""
+    values = {scene: [figure.value(row) for row in series] for scene, series in rows.items() if len(series) > 1}
+    return {scene: max(v) / min(v) for scene, v in values.items()}
+
+
+def sure_spread(rows, figure):
     """The part of the spread that noise cannot explain: between the rows' ranges over the repetitions, not their medians."""
-    spreads = {}
-    for scene in comparison.scenes:
-        ranges = [row[column + "_range"] for row in comparison.series(scene, method) if is_counted(row)]
-        if len(ranges) > 1:
-            spreads[scene] = max(1.0, max(low for low, _ in ranges) / min(high for _, high in ranges))
-    return spreads
+    ranges = {scene: [figure.bounds(row) for row in series] for scene, series in rows.items() if len(series) > 1}
+    return {scene: max(1.0, max(low for low, _ in r) / min(high for _, high in r)) for scene, r in ranges.items()}
+
+
+def sure_growth(rows, figure):
+    """How often more a larger size costs than a smaller one, beyond the noise; 1 where it costs less."""
+    bounds = {scene: [figure.bounds(row) for row in series] for scene, series in rows.items() if len(series) > 1}
+    return {scene: max([1.0] + [low / high for i, (_, high) in enumerate(b) for low, _ in b[i + 1:]]) for scene, b in bounds.items()}
 
 
 def verdict_by_spread(spreads, sure, bound):
@@ -56,27 +55,27 @@ def verdict_by_spread(spreads, sure, bound):
     return "confirmed" if max(spreads.values()) < bound else "not decided"
 
 
+def constancy_against(own, baseline_growth, bound):
+    """What a constant light map is worth beside this baseline: nothing where that does not grow either."""
+    if not baseline_growth:
+        return NOT_MEASURED
+    if own != "confirmed":
+        return own
+    return "confirmed" if any(growth >= bound for growth in baseline_growth.values()) else "no difference: it does not grow either"
+
+
 def listing(values, form="{:.2f}"):
-    return ", ".join(f"{name} {form.format(value)}" for name, value in values.items())
+    return ", ".join(f"{name} {form.format(value)}" for name, value in values.items()) or NOT_MEASURED
 
 
 def hits_range(rows):
     return f"{count_text(min(r['hits_asked'] for r in rows))} to {count_text(max(r['hits_asked'] for r in rows))} hits"
 
 
-def against(comparison, other):
-    """How the light map's time to a finished map compares: text, and the outcomes by number of hits."""
-    outcomes, texts = [], []
-    for scene in comparison.scenes:
-        pairs = comparison.pairs(scene, LIGHT_MAP, other)
-        outcomes += [(mine["hits_asked"], outcome(mine, theirs, MAP_COLUMNS)) for mine, theirs in pairs]
-        texts += [f"{scene} " + ", ".join(f"{map_seconds(theirs) / map_seconds(mine):.2f} x at {count_text(mine['hits_asked'])}"
-                                          for mine, theirs in pairs)] if pairs else []
-    return outcomes, "; ".join(texts)
-
-
 def verdict_by_hits(outcomes):
     """Confirmed or refuted where all outcomes agree; else conditional, with the hits from which on the light map wins."""
+    if not outcomes:
+        return NOT_MEASURED, ""
     if all(o < 0 for _, o in outcomes):
         return "confirmed", ""
     if all(o >= 0 for _, o in outcomes):
@@ -88,93 +87,161 @@ def verdict_by_hits(outcomes):
     return "conditional", "true in some scenes only"
 
 
+def combined(first, second):
+    """One verdict of the two; where only one is there, that one."""
+    measured = {v for v in (first, second) if v != NOT_MEASURED}
+    return measured.pop() if len(measured) == 1 else "conditional" if measured else "not measured yet"
+
+
+def ratios_text(pairs, figure, form, place):
+    """The baseline's figure over the light map's, by scene; with the engine where it is not always the same one."""
+    engines = {engine_of(theirs["method"]) for *_, theirs in pairs}
+    texts = {}
+    for scene, mine, theirs in pairs:
+        engine = f" ({engine_of(theirs['method'])})" if len(engines) > 1 else ""
+        texts.setdefault(scene, []).append(form.format(figure.value(theirs) / figure.value(mine)) + f" x at {place(mine)}{engine}")
+    of = f"{engines.pop()}: " if len(engines) == 1 else ""
+    return of + "; ".join(f"{scene} " + ", ".join(t) for scene, t in texts.items()) if pairs else NOT_MEASURED
+
+
 def tracing_speed(comparison):
     says = "SHLM tracing is faster, since there is no kd-tree insertion"
-    incremental, incremental_text = against(comparison, INCREMENTAL)
-    bulk, bulk_text = against(comparison, PHOTON_MAP)
-    if not incremental or not bulk:
-        return Finding("tracing-speed", says, "not measured yet", "needs shlm and both photon maps")
-    first, first_condition = verdict_by_hits(incremental)
-    second, second_condition = verdict_by_hits(bulk)
-    verdict = first if first == second and first != "conditional" else "conditional"
-    def clause(name, v, condition):
-        return f"against {name}: {v}" + (f" ({condition})" if condition else "")
-    return Finding("tracing-speed", says, verdict,
-                   f"Time to a finished map (an empty store, trace, insert, build), photon map over SHLM. "
-                   f"{clause('insertion into a tree, as the paper words it', first, first_condition)}: {incremental_text}. "
-                   f"{clause('appending and building the tree once', second, second_condition)}: {bulk_text}.")
+    verdicts, clauses = [], []
+    for baseline in (incremental(comparison), strongest(comparison, MAP_SECONDS)):
+        pairs = baseline.pairs(comparison)
+        verdict, condition = verdict_by_hits([(mine["hits_asked"], outcome(mine, theirs, MAP_SECONDS)) for _, mine, theirs in pairs])
+        verdicts.append(verdict)
+        clauses.append(f"Against {baseline.name}: {verdict}" + (f" ({condition})" if condition else "")
+                       + f": {ratios_text(pairs, MAP_SECONDS, '{:.2f}', lambda row: count_text(row['hits_asked']))}.")
+    overall = combined(*verdicts)
+    if overall == "not measured yet":
+        return Finding("tracing-speed", says, overall, "needs shlm and a photon map")
+    return Finding("tracing-speed", says, overall,
+                   "Time to a finished map (an empty store, trace, insert, build), photon map over SHLM. " + " ".join(clauses), *verdicts)
 
 
 def constant_insert(comparison):
-    says = "Accumulating a photon into SH coefficients takes constant time"
+    says, bound = "Accumulating a photon into SH coefficients takes constant time", 1.25
     texels = max((row["texels"] for row in rows_of(comparison, LIGHT_MAP)), default=0)
     def filled(row):
         return row["hits"] >= texels
 
-    spreads = spread_over_hits(comparison, LIGHT_MAP, "insert_ns_per_hit", filled)
-    sure = sure_spread(comparison, LIGHT_MAP, "insert_ns_per_hit", filled)
-    tree = spread_over_hits(comparison, INCREMENTAL, "insert_ns_per_hit", filled)
+    rows = light_map_rows(comparison, filled)
+    spreads, sure = spread_over_hits(rows, INSERT_NS), sure_spread(rows, INSERT_NS)
     if not spreads:
         return Finding("constant-insert", says, "not measured yet", "needs shlm at two numbers of hits of one per texel and more")
+    own = verdict_by_spread(spreads, sure, bound)
+    verdicts, clauses = [], []
+    for baseline in (incremental(comparison), strongest(comparison, INSERT_AND_BUILD_NS)):
+        theirs = baseline_rows(comparison, baseline, filled)
+        verdicts.append(constancy_against(own, sure_growth(theirs, INSERT_AND_BUILD_NS), bound))
+        clauses.append(f"{baseline.name} {listing(spread_over_hits(theirs, INSERT_AND_BUILD_NS))}")
     short = {f"{row['scene']} {count_text(row['hits_asked'])}": row["insert_ns_per_hit"]
-             for row in rows_of(comparison, LIGHT_MAP) if row["hits"] < texels}
+             for row in rows_of(comparison, LIGHT_MAP) if not filled(row)}
     warm_up = f" Shorter runs pay for the first touch of texels and buffers; ns per hit: {listing(short, '{:.0f}')}." if short else ""
-    return Finding("constant-insert", says, verdict_by_spread(spreads, sure, 1.25),
-                   f"Slowest over fastest median from one hit per texel on: {listing(spreads)}; beyond the noise (bound 1.25): {listing(sure)}; "
-                   f"tree insertion: {listing(tree)}.{warm_up}")
+    return Finding("constant-insert", says, own,
+                   f"Slowest over fastest median from one hit per texel on: {listing(spreads)}; beyond the noise (bound {bound}): {listing(sure)}. "
+                   f"Photon maps, a hit's share of the build included: {'; '.join(clauses)}.{warm_up}", *verdicts)
+
+
+def crossings(comparison, baseline):
+    """Per scene: hits below which the baseline's map is the smaller one, by its bytes a hit at the largest size measured."""
+    found = {}
+    for scene in comparison.scenes:
+        light, photons = comparison.series(scene, LIGHT_MAP), baseline.series(comparison, scene)
+        if light and photons:
+            found[scene] = count_text(light[-1]["bytes"] / (photons[-1]["bytes"] / photons[-1]["hits"]))
+    return found
+
+
+def peak_text(comparison):
+    """What a light map's run adds to the process at its fullest, and whether that is within its bound."""
+    texts = []
+    for scene in comparison.scenes:
+        if rows := light_map_peaks(comparison, scene):
+            values = ", ".join(f"{bytes_text(row['peak_growth_bytes'])} at {count_text(row['hits_asked'])}" for row in rows)
+            kept = all(row["peak_growth_bytes"] <= peak_bound(row) for row in rows)
+            texts.append(f"{scene} {values}, {'within' if kept else 'past'} the bound of {bytes_text(peak_bound(rows[-1]))}")
+    bound = "1.1 x the texels' bytes while they are filled + 64 MiB"
+    return f" Added to the process at its fullest (bound: {bound}): {'; '.join(texts)}." if texts else f" Peak of the process: {NOT_MEASURED}."
 
 
 def constant_memory(comparison):
     says = "Memory stays constant however many photons are traced"
     rows = rows_of(comparison, LIGHT_MAP)
-    if len(rows) < 2:
+    spreads = spread_over_hits(light_map_rows(comparison), BYTES)
+    if not spreads:
         return Finding("constant-memory", says, "not measured yet", "needs shlm at two numbers of hits")
-    spreads = spread_over_hits(comparison, LIGHT_MAP, "bytes")
-    same = max(spreads.values()) < 1.01  # FLANN's part is measured at the allocator, whose bookkeeping varies
+    bound = 1.01  # FLANN's part is measured at the allocator, whose bookkeeping varies
+    own = "confirmed" if max(spreads.values()) < bound else "refuted"
     sizes = {scene: series[0]["bytes"] / 2**20 for scene in comparison.scenes if (series := comparison.series(scene, LIGHT_MAP))}
-    crossings = {}
+    verdicts, clauses = [], []
+    for baseline in (incremental(comparison), strongest(comparison, BYTES)):
+        verdicts.append(constancy_against(own, sure_growth(baseline_rows(comparison, baseline), BYTES), bound))
+        if smaller := crossings(comparison, baseline):
+            clauses.append(f" {baseline.name} is the smaller one below " + ", ".join(f"{h} hits ({s})" for s, h in smaller.items()) + ".")
+    return Finding("constant-memory", says, own,
+                   f"Bytes of the map, {hits_range(rows)}: largest over smallest {listing(spreads, '{:.4f}')}; MiB: {listing(sizes, '{:.1f}')}."
+                   + "".join(clauses) + peak_text(comparison), *verdicts)
+
+
+FEW, MANY, SAME_TIME = 10**5, 10**9, 1.05
+
+
+def same_at_a_billion(comparison):
+    """Whether a gather at 1e9 hits takes as long as at 1e5, within 5 %: verdict, text."""
+    spreads, sure = {}, {}
     for scene in comparison.scenes:
-        light, photons = comparison.series(scene, LIGHT_MAP), comparison.series(scene, PHOTON_MAP)
-        if light and photons:
-            crossings[scene] = light[-1]["bytes"] / (photons[-1]["bytes"] / photons[-1]["hits"])
-    text = f"Bytes of the map, {hits_range(rows)}: " + f"largest over smallest {listing(spreads, '{:.4f}')}"
-    text += f"; MiB: {listing(sizes, '{:.1f}')}."
-    if crossings:
-        text += " The photon map is the smaller one below " + ", ".join(f"{count_text(h)} hits ({s})" for s, h in crossings.items()) + "."
-    return Finding("constant-memory", says, "confirmed" if same else "refuted", text)
+        few, many = (comparison.row(scene, LIGHT_MAP, hits) for hits in (FEW, MANY))
+        if few and many:
+            (few_low, few_high), (many_low, many_high) = GATHER_US.bounds(few), GATHER_US.bounds(many)
+            spreads[scene] = GATHER_US.value(many) / GATHER_US.value(few)
+            sure[scene] = max(1.0, many_low / few_high, few_low / many_high)
+    if not spreads:
+        return NOT_MEASURED, f"1e9 hits against 1e5: {NOT_MEASURED}"
+    either_way = {scene: max(ratio, 1 / ratio) for scene, ratio in spreads.items()}
+    verdict = verdict_by_spread(either_way, sure, SAME_TIME)
+    return verdict, f"1e9 hits against 1e5 (within 5 %): {verdict}, {listing(spreads, '{:.3f}')}"
 
 
 def constant_gather(comparison):
-    says = "Search time does not depend on the photon count"
-    light = spread_over_hits(comparison, LIGHT_MAP, "gather_us_per_query")
-    tree = spread_over_hits(comparison, PHOTON_MAP, "gather_us_per_query")
-    if not light:
+    says, bound = "Search time does not depend on the photon count", 1.15
+    rows = light_map_rows(comparison)
+    spreads, sure = spread_over_hits(rows, GATHER_US), sure_spread(rows, GATHER_US)
+    if not spreads:
         return Finding("constant-gather", says, "not measured yet", "needs shlm at two numbers of hits")
-    sure = sure_spread(comparison, LIGHT_MAP, "gather_us_per_query")
-    return Finding("constant-gather", says, verdict_by_spread(light, sure, 1.15),
-                   f"Slowest over fastest median over {hits_range(rows_of(comparison, LIGHT_MAP))}: {listing(light)}; "
-                   f"beyond the noise (bound 1.15): {listing(sure)}; "
-                   f"photon map: {listing(tree)}.")
+    billion, billion_text = same_at_a_billion(comparison)
+    own = verdict_by_spread(spreads, sure, bound)
+    own = own if billion in (NOT_MEASURED, own) else min(own, billion, key=("refuted", "conditional", "not decided", "confirmed").index)
+    verdicts, clauses = [], []
+    for baseline in (incremental(comparison), strongest(comparison, GATHER_US, answers_as_the_reference)):
+        theirs = baseline_rows(comparison, baseline)
+        verdicts.append(constancy_against(own, sure_growth(theirs, GATHER_US), bound))
+        clauses.append(f"{baseline.name} {listing(spread_over_hits(theirs, GATHER_US))}")
+    return Finding("constant-gather", says, own,
+                   f"Slowest over fastest median over {hits_range(rows_of(comparison, LIGHT_MAP))}: {listing(spreads)}; "
+                   f"beyond the noise (bound {bound}): {listing(sure)}; {billion_text}. Photon maps: {'; '.join(clauses)}.", *verdicts)
 
 
 def faster_gather(comparison, study):
     says = "The search is faster where more than one photon falls on a texel"
-    above, below = [], []
-    for scene in comparison.scenes:
-        for mine, theirs in comparison.pairs(scene, LIGHT_MAP, PHOTON_MAP):
-            entry = (scene, mine["hits_per_texel"], theirs["gather_us_per_query"] / mine["gather_us_per_query"],
-                     outcome(mine, theirs, ("gather_us_per_query",)))
-            (above if mine["hits_per_texel"] > 1 else below).append(entry)
-    if not above:
-        return Finding("faster-gather", says, "not measured yet", "needs more than one hit per texel")
-    ratios = ", ".join(f"{scene} {ratio:.1f} x at {hits:.2g}" for scene, hits, ratio, _ in above + below)
-    all_above, any_below_lost = all(o < 0 for *_, o in above), any(o >= 0 for *_, o in below)
-    verdict = "confirmed" if all_above else "refuted" if all(o >= 0 for *_, o in above) else "conditional"
-    note = "" if any_below_lost or not below else " It is faster below one hit per texel as well, so that this is not what decides."
-    return Finding("faster-gather", says, verdict,
-                   f"Photon map's time per query over SHLM's, at hits per texel: {ratios}.{note} "
+    verdicts, clauses, faster_below = [], [], []
+    for baseline in (incremental(comparison), strongest(comparison, GATHER_US, answers_as_the_reference)):
+        pairs = baseline.pairs(comparison)
+        above = [(mine["hits_asked"], outcome(mine, theirs, GATHER_US)) for _, mine, theirs in pairs if mine["hits_per_texel"] > 1]
+        faster_below += [outcome(mine, theirs, GATHER_US) < 0 for _, mine, theirs in pairs if mine["hits_per_texel"] <= 1]
+        verdict, _ = verdict_by_hits(above)
+        verdicts.append(verdict)
+        clauses.append(f"Against {baseline.name}: {verdict}: "
+                       + ratios_text(pairs, GATHER_US, "{:.1f}", lambda row: f"{row['hits_per_texel']:.2g}") + ".")
+    overall = combined(*verdicts)
+    if overall == "not measured yet":
+        return Finding("faster-gather", says, overall, "needs more than one hit per texel")
+    note = " It is faster below one hit per texel as well, so that this is not what decides." if faster_below and all(faster_below) else ""
+    return Finding("faster-gather", says, overall,
+                   f"Photon map's time per query over SHLM's, at hits per texel. {' '.join(clauses)}{note} "
                    + (accuracy_crossings(study) if study else
-                      "The errors are not equal, so this is a statement about time alone."))
+                      "The errors are not equal, so this is a statement about time alone."), *verdicts)
 
 
 def findings(comparison, study):
@@ -187,5 +254,5 @@ def findings(comparison, study):
         faster_gather(comparison, study),
         normal_maps(study) if study else not_measured(*NORMAL_MAPS),
         converges(study) if study else not_measured(*CONVERGES),
-        not_measured("billion-hits", "Over a billion hits on a desktop PC"),
+        billion_hits(comparison),
     ]

@@ -38,10 +38,9 @@ class Comparison:
         by_hits = self._measured[scene, method]
         return [by_hits[hits] for hits in sorted(by_hits)]
 
-    def pairs(self, scene, method, other):
-        """(row of method, row of other) for every number of hits that both were measured at."""
-        mine, theirs = self._measured[scene, method], self._measured[scene, other]
-        return [(mine[hits], theirs[hits]) for hits in sorted(mine.keys() & theirs.keys())]
+    def row(self, scene, method, hits):
+        """The measured row; None without one."""
+        return self._measured[scene, method].get(hits)
 
 
 def map_seconds(row):

@@ -58,7 +58,7 @@ def parse_light_map(name):
 
 
 def parse_photon_map(name):
-    parts = re.fullmatch(r"photonmap/flann/([kr])([0-9.eE+-]+?)(n23)?/(\w+)", name)
+    parts = re.fullmatch(r"photonmap/\w+/([kr])([0-9.eE+-]+?)(n23)?/(\w+)", name)
     if not parts:
         return None
     letter, number, grows, kernel = parts.groups()

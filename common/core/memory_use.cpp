@@ -1,8 +1,11 @@
 #include "common/core/memory_use.h"
 
 #include <malloc.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -20,6 +23,24 @@ std::size_t proc_bytes(const char* file, const std::string& name) {
     return 0;
 }
 
+/// What cgroup v2 lets this process's group still take; page cache that can be dropped does not count.
+std::size_t left_in_control_group() {
+    constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+    std::string group;
+    std::ifstream groups("/proc/self/cgroup");
+    for (std::string line; std::getline(groups, line);)
+        if (line.starts_with("0::")) group = line.substr(3);
+    const std::string folder = "/sys/fs/cgroup" + group;
+    std::size_t limit = 0, used = 0, droppable = 0;
+    if (!(std::ifstream(folder + "/memory.max") >> limit)) return no_limit;  // none, or "max"
+    std::ifstream(folder + "/memory.current") >> used;
+    std::ifstream statistics(folder + "/memory.stat");
+    for (std::string key; statistics >> key && key != "inactive_file";) statistics.ignore(64, '\n');
+    statistics >> droppable;
+    used -= std::min(used, droppable);
+    return limit - std::min(limit, used);
+}
+
 }  // namespace
 
 std::size_t heap_bytes() {
@@ -35,13 +56,21 @@ std::size_t peak_resident_bytes() {
     return proc_bytes("/proc/self/status", "VmHWM");
 }
 
-void reset_peak_resident_bytes() {
+std::size_t resident_bytes() {
+    std::size_t whole = 0, resident = 0;  // pages
+    std::ifstream("/proc/self/statm") >> whole >> resident;
+    return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+bool reset_peak_resident_bytes() {
     malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << 5;  // proc(5): resets the peak resident size
+    std::ofstream out("/proc/self/clear_refs");
+    out << 5 << std::flush;  // proc(5): resets the peak resident size
+    return out.good();
 }
 
 std::size_t available_bytes() {
-    return proc_bytes("/proc/meminfo", "MemAvailable");
+    return std::min(proc_bytes("/proc/meminfo", "MemAvailable"), left_in_control_group());
 }
 
 }  // namespace common

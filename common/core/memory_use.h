@@ -12,10 +12,15 @@ namespace common {
 /// Largest resident size since the start or the last reset, bytes.
 [[nodiscard]] std::size_t peak_resident_bytes();
 
-/// Gives freed heap memory back to the system and starts the peak anew from what is resident now.
-void reset_peak_resident_bytes();
+/// Resident now, bytes.
+[[nodiscard]] std::size_t resident_bytes();
 
-/// Memory that this process may still use without swapping or being killed, bytes.
+/// Gives freed heap memory back to the system and starts the peak anew from what is resident now. False where
+/// the system does not let the peak be reset.
+bool reset_peak_resident_bytes();
+
+/// Memory that this process may still use without swapping or being killed, bytes: of the machine, and of its
+/// control group (version 2) where that is less.
 [[nodiscard]] std::size_t available_bytes();
 
 }  // namespace common

@@ -11,7 +11,8 @@ namespace {
 constexpr double photon_bytes = sizeof(common::Vec3) + sizeof(photonmap::Photon);
 constexpr double flann_bytes = 46;              // bulk tree: 33 to 42 by leaf fill
 constexpr double flann_incremental_bytes = 96;  // 75, and FLANN's array of pointers while it grows
-constexpr double wave_bytes = 64e6;             // hits on their way to a store
+constexpr double compact_photon_bytes = 26;     // 24, and partly filled pages while they are sorted
+constexpr double wave_bytes = 64e6;             // hits on their way to a store, or to their cells
 
 /// While it is filled, and a finished map beside it with its index.
 double texel_bytes(const ShlmMethod& method) {
@@ -24,7 +25,14 @@ double texel_bytes(const ShlmMethod& method) {
 }
 
 double photon_map_bytes_per_hit(const PhotonMapMethod& method) {
+    if (method.engine == PhotonMapEngine::compact) return compact_photon_bytes;
     return photon_bytes + (method.engine == PhotonMapEngine::flann ? flann_bytes : flann_incremental_bytes);
+}
+
+/// Photons that the engine can count.
+std::pair<const char*, std::size_t> most_photons(PhotonMapEngine engine) {
+    if (engine == PhotonMapEngine::compact) return {"the compact index", common::CompactIndex::max_points};
+    return {"FLANN", common::max_flann_points};
 }
 
 double gibibytes(std::size_t bytes) {
@@ -46,8 +54,10 @@ std::string reason_to_skip(const Method& method, const MethodSettings& settings,
                            std::size_t max_bytes) {
     const std::size_t needed = needed_bytes(method, settings, hits);
     if (needed > max_bytes) return fmt::format("needs {:.1f} GiB", gibibytes(needed));
-    if (method.photon_map() && hits > common::max_flann_points - (1u << 20))
-        return fmt::format("FLANN holds at most {} points", common::max_flann_points);
+    if (const PhotonMapMethod* photon_map = method.photon_map()) {
+        const auto [who, most] = most_photons(photon_map->engine);
+        if (hits > most - (1u << 20)) return fmt::format("{} holds at most {} points", who, most);
+    }
     return "";
 }
 

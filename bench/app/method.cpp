@@ -83,8 +83,10 @@ constexpr std::array<std::pair<const char*, shlm::ShWeight>, 3> weights = {
     {{"radiance", shlm::ShWeight::radiance},
      {"flux", shlm::ShWeight::flux},
      {"normalised", shlm::ShWeight::normalised}}};
-constexpr std::array<std::pair<const char*, PhotonMapEngine>, 2> engines = {
-    {{"flann", PhotonMapEngine::flann}, {"flann-incremental", PhotonMapEngine::flann_incremental}}};
+constexpr std::array<std::pair<const char*, PhotonMapEngine>, 3> engines = {
+    {{"flann", PhotonMapEngine::flann},
+     {"flann-incremental", PhotonMapEngine::flann_incremental},
+     {"compact", PhotonMapEngine::compact}}};
 constexpr std::array<std::pair<const char*, photonmap::Kernel>, 3> kernels = {
     {{"disc", photonmap::Kernel::disc},
      {"cone", photonmap::Kernel::cone},

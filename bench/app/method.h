@@ -26,11 +26,12 @@ struct ShlmMethod {
 };
 
 enum class PhotonMapEngine {
-    flann,             ///< one bulk build of KDTreeSingleIndex: how photon maps are made today
-    flann_incremental  ///< every photon inserted into KDTreeIndex: what the paper measures itself against
+    flann,              ///< one bulk build of KDTreeSingleIndex: how photon maps are made today
+    flann_incremental,  ///< every photon inserted into KDTreeIndex: what the paper measures itself against
+    compact             ///< packed photons under our own tree: the strongest
 };
 
-/// photonmap / flann flann-incremental / kK kFACTORn23 rFRACTION / disc cone epanechnikov
+/// photonmap / flann flann-incremental compact / kK kFACTORn23 rFRACTION / disc cone epanechnikov
 struct PhotonMapMethod {
     PhotonMapEngine engine = PhotonMapEngine::flann;
     photonmap::PhotonSelection selection;

@@ -95,6 +95,8 @@ auto with_sink(const Method& method, PreparedMethods& prepared, Work work) {
     const photonmap::GatherSettings gather = gather_of(photon_map, prepared.settings().max_radius);
     if (photon_map.engine == PhotonMapEngine::flann_incremental)
         return work(photonmap::FlannIncrementalPhotonSink(prepared.scene(), gather));
+    if (photon_map.engine == PhotonMapEngine::compact)
+        return work(photonmap::CompactPhotonSink(prepared.scene(), gather));
     return work(photonmap::FlannPhotonSink(prepared.scene(), gather));
 }
 

@@ -21,10 +21,11 @@ double mean_irradiance(const Map& map, std::span<const common::SurfacePoint> poi
     return sum / (3.0 * static_cast<double>(points.size()));
 }
 
+template <class Sink = photonmap::FlannPhotonSink>
 auto photon_map(SharedInputs& inputs, std::uint64_t hits) {
     const PreparedMethods& methods = inputs.methods(default_texels);
     return map_of(inputs.recording(hits),
-                  photonmap::FlannPhotonSink(methods.scene(), {.max_radius = methods.settings().max_radius}));
+                  Sink(methods.scene(), {.max_radius = methods.settings().max_radius}));
 }
 
 auto light_map(SharedInputs& inputs, std::size_t texels) {
@@ -92,9 +93,14 @@ void register_gather_benchmarks(SharedInputs& inputs) {
     const auto of_light_map = lazy(
         [&] { return mean_irradiance(light_map(inputs, default_texels), inputs.queries().image_order); });
     // With fewer hits the photon map darkens edges by more than the 5 %.
-    for (const std::uint64_t hits : {100'000ul, default_hits, 4 * default_hits})
+    for (const std::uint64_t hits : {100'000ul, default_hits, 4 * default_hits}) {
         register_gather(inputs, fmt::format("gather/photonmap-flann/hits:{}", hits),
                         lazy([&inputs, hits] { return photon_map(inputs, hits); }), of_light_map);
+        register_gather(inputs, fmt::format("gather/photonmap-compact/hits:{}", hits), lazy([&inputs, hits] {
+                            return photon_map<photonmap::CompactPhotonSink>(inputs, hits);
+                        }),
+                        of_light_map);
+    }
     for (const std::size_t texels : {4'096ul, 65'536ul, default_texels, 1'048'576ul})
         register_gather(inputs, fmt::format("gather/shlm/texels:{}", texels),
                         lazy([&inputs, texels] { return light_map(inputs, texels); }), of_photon_map);

@@ -7,6 +7,7 @@
 #include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "common/core/stable_array.h"
@@ -26,9 +27,12 @@ class CellGrid {
     [[nodiscard]] std::size_t cells() const { return std::size_t{1} << (4 * levels_); }
 
     [[nodiscard]] std::uint32_t cell_of(const Vec3& point) const {
-        const auto spread = [](float at) {  // four bits, two zeros after each
-            const auto bits = static_cast<std::uint32_t>(std::min(15.0f, std::max(0.0f, at)));
-            return (bits & 1) | (bits & 2) << 2 | (bits & 4) << 4 | (bits & 8) << 6;
+        // Four bits, two zeros after each.
+        static constexpr std::array<std::uint16_t, 16> spread_bits = {0,   1,   8,   9,   64,  65,  72,  73,
+                                                                      512, 513, 520, 521, 576, 577, 584, 585};
+        const auto spread = [](float at) -> std::uint32_t {
+            return spread_bits[static_cast<std::size_t>(
+                static_cast<int>(std::min(15.0f, std::max(0.0f, at))))];
         };
         const Vec3 at = (point - low_) * cells_per_unit_;
         return (spread(at.x) << 2 | spread(at.y) << 1 | spread(at.z)) >> (4 * (max_levels - levels_));

@@ -89,6 +89,17 @@ CompactShape::CompactShape(const CellGrid& grid, std::span<const std::size_t> be
     }
 }
 
+void fill(CompactLeaf& leaf, std::span<const Member> points) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    for (std::size_t lane = 0; lane < points_per_leaf; ++lane) {
+        const std::array<float, 3> position =
+            lane < points.size() ? points[lane].position : std::array{nan, nan, nan};
+        leaf.x[lane] = position[0];
+        leaf.y[lane] = position[1];
+        leaf.z[lane] = position[2];
+    }
+}
+
 void add_cell_nodes(const CompactShape::Cell& cell, CompactTree& tree) {
     const std::span<CompactNode> nodes = tree.nodes.elements();
     const std::span<const CompactLeaf> leaves = tree.leaves.span();

@@ -1,6 +1,8 @@
 // Builds the compact index: cells, leaves, boxes.
 #pragma once
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
 #include "common/point_index/cell_grid.h"
 #include "common/point_index/compact_index.h"
 #include "common/point_index/leaf_order.h"
@@ -19,6 +21,9 @@ struct CompactShape {
 
     CompactShape(const CellGrid& grid, std::span<const std::size_t> begin);
 };
+
+/// Lanes without a point become NaN.
+void fill(CompactLeaf& leaf, std::span<const Member> points);
 
 /// The boxes of a cell whose leaves are filled.
 void add_cell_nodes(const CompactShape::Cell& cell, CompactTree& tree);
@@ -46,17 +51,25 @@ template <class Record, class Reserve, class Place>
     tree.nodes.grow(shape.nodes);
     reserve(shape.leaves * points_per_leaf);
 
+    tbb::enumerable_thread_specific<LeafCutter> cutters;
     tbb::parallel_for(std::size_t{0}, shape.cells.size(), [&](std::size_t c) {
         const CompactShape::Cell& cell = shape.cells[c];
-        const auto in_cell = sorted.records.elements().subspan(cell.first_point, cell.points);
-        order_by_leaves(in_cell);
-        for (std::size_t i = 0; i < cell.points; ++i) {
-            const std::size_t index = std::size_t{cell.first_leaf} * points_per_leaf + i;
-            set_point(leaves[index / points_per_leaf], index % points_per_leaf, in_cell[i].position);
-            place(index, in_cell[i]);
-        }
-        if (const std::size_t used = cell.points % points_per_leaf; used > 0)
-            empty_lanes(leaves[cell.first_leaf + cell.points / points_per_leaf], used);
+        for_each_run(sorted.records.elements().subspan(cell.first_point, cell.points), 0,
+                     [&](std::span<const Record> run, std::size_t first) {
+                         LeafCutter& cutter = cutters.local();
+                         const std::span<Member> members = cutter.members(run.size());
+                         for (std::uint32_t i = 0; i < run.size(); ++i) {
+                             const Vec3& at = run[i].position;
+                             members[i] = {{at.x, at.y, at.z}, i};
+                         }
+                         std::size_t leaf = cell.first_leaf + first / points_per_leaf;
+                         cutter.for_each_leaf([&](std::span<const Member> points) {
+                             fill(leaves[leaf], points);
+                             for (std::size_t lane = 0; lane < points.size(); ++lane)
+                                 place(leaf * points_per_leaf + lane, run[points[lane].number]);
+                             ++leaf;
+                         });
+                     });
         add_cell_nodes(cell, tree);
         sorted.records.release(cell.first_point, cell.first_point + cell.points, sorted.page_bytes);
     });

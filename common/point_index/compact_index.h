@@ -11,18 +11,6 @@
 
 namespace common {
 
-inline void set_point(CompactLeaf& leaf, std::size_t lane, const Vec3& position) {
-    leaf.x[lane] = position.x;
-    leaf.y[lane] = position.y;
-    leaf.z[lane] = position.z;
-}
-
-/// All lanes from `used` on.
-inline void empty_lanes(CompactLeaf& leaf, std::size_t used) {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    for (std::size_t lane = used; lane < points_per_leaf; ++lane) set_point(leaf, lane, {nan, nan, nan});
-}
-
 /// A tree of boxes, 16 to a node, over leaves of 32 points that it owns. Made by build_compact_index, which
 /// gives the points new indices: places in the leaves, not all of them taken.
 class CompactIndex {

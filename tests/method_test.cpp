@@ -30,9 +30,10 @@ TEST(MethodName, TakesDefaultsForWhatIsLeftOut) {
 }
 
 TEST(MethodName, StaysAsItIsWhereItIsFull) {
-    for (const char* name : {"shlm/L0/normalised/own", "shlm/L4/radiance/bilinear",
-                             "shlm/L2/radiance/knn8/t65536", "photonmap/flann/k200/cone",
-                             "photonmap/flann/k0.05n23/epanechnikov", "photonmap/flann/r0.003/disc"})
+    for (const char* name :
+         {"shlm/L0/normalised/own", "shlm/L4/radiance/bilinear", "shlm/L2/radiance/knn8/t65536",
+          "photonmap/flann/k200/cone", "photonmap/flann/k0.05n23/epanechnikov", "photonmap/flann/r0.003/disc",
+          "photonmap/compact/k50/cone"})
         EXPECT_EQ(full_name(name), name);
 }
 

@@ -40,8 +40,9 @@ void add_nodes_above_cells(const CompactShape& shape, const CellGrid& grid, Comp
 /// been read is given back. Uses the threads of the calling arena; the result does not depend on them.
 ///
 /// Points go into a coarse grid first and in each cell into a kd-tree with cuts at medians along the widest
-/// axis. Measured at 1e7 photons of cornell.glb, leaves of 16 and nodes that a search for 50 meets: 12 and 9 in
-/// this order (8 and 8 with the leaves of 32 that are used), 21 and 15 along a Hilbert curve, 42 and 29 along a Morton curve.
+/// axis. Measured at 1e7 photons of cornell.glb, leaves of 16 and nodes that a search for 50 meets: 12 and 9
+/// in this order (8 and 8 with the leaves of 32 that are used), 21 and 15 along a Hilbert curve, 42 and 29
+/// along a Morton curve.
 template <class Record, class Reserve, class Place>
 [[nodiscard]] CompactIndex build_compact_index(StableArray<Record>&& records, Reserve reserve, Place place) {
     CellSorted<Record> sorted = sort_into_cells(std::move(records));

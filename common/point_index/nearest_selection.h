@@ -11,10 +11,10 @@
 
 namespace common {
 
-/// Keeps the k nearest points strictly inside a radius, as NearestSet does. At k = 50 a search in CompactIndex
-/// takes 0.6 to 0.9 of the time that it takes with NearestSet: candidates go unsorted into a buffer, a histogram of their distances in steps of a quarter octave
-/// says beyond which step none can belong to the k, and only those of the last step are told apart, once at
-/// the end.
+/// Keeps the k nearest points strictly inside a radius, as NearestSet does. At k = 50 a search in
+/// CompactIndex takes 0.6 to 0.9 of the time that it takes with NearestSet: candidates go unsorted into a
+/// buffer, a histogram of their distances in steps of a quarter octave says beyond which step none can belong
+/// to the k, and only those of the last step are told apart, once at the end.
 class NearestSelection {
   public:
     /// A point found: distance above, index below, so that one comparison orders both (distances are >= 0).

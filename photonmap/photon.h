@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "common/estimator/irradiance_estimator.h"
 #include "common/tracer/hit_batch.h"
 
 namespace photonmap {
@@ -21,6 +22,16 @@ struct Photon {
                                                  std::span<const common::Vec3> triangle_normal) {
     const common::Vec3& normal = triangle_normal[photon.triangle];
     return photon.direction.dot(normal) < 0 ? normal : -normal;
+}
+
+/// Its flux as a shading normal sees it: what a unit of irradiance on its own surface becomes on a plane with
+/// that normal is the ratio of the two cosines of incidence.
+[[nodiscard]] inline common::Rgb tilted_flux(const Photon& photon,
+                                             std::span<const common::Vec3> triangle_normal,
+                                             const common::Vec3& shading_normal) {
+    const float on_surface = std::abs(photon.direction.dot(triangle_normal[photon.triangle]));
+    const float on_shading = std::max(0.0f, -photon.direction.dot(shading_normal));
+    return photon.flux * (on_shading / std::max(on_surface, common::min_incident_cosine));
 }
 
 }  // namespace photonmap

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/estimator/irradiance_estimator.h"
+#include "common/point_index/nearest_selection.h"
 #include "common/point_index/point_index.h"
 #include "photonmap/gather_settings.h"
 #include "photonmap/kernel.h"
@@ -14,22 +15,32 @@
 
 namespace photonmap {
 
+/// What a gather asks about the photons that an index finds.
+template <class P>
+concept PhotonStore = requires(const P& photons, const common::Scene& scene, std::uint32_t index,
+                               const common::Vec3& normal) {
+    { photons.same_surface(scene, normal)(index) } -> std::same_as<bool>;
+    { photons.tilted_flux(scene, index, normal) } -> std::same_as<common::Rgb>;
+    { photons.size() } -> std::same_as<std::size_t>;
+    { photons.bytes() } -> std::same_as<std::size_t>;
+};
+
 /// Photons and the index over their positions.
-template <common::PointIndex Index>
+template <common::PointIndex Index, PhotonStore Photons>
 struct IndexedPhotons {
-    PhotonStorage photons;
+    Photons photons;
     Index index;
 };
 
 /// Finished, immutable.
-template <common::PointIndex Index>
+template <common::PointIndex Index, PhotonStore Photons = PhotonStorage>
 class PhotonMap {
   public:
+    using Stored = IndexedPhotons<Index, Photons>;
+
     /// `scene` must outlive the map. `watts_per_flux` as in common::MapSink.
-    PhotonMap(const common::Scene& scene, IndexedPhotons<Index> photons, float watts_per_flux,
-              GatherSettings settings)
-        : PhotonMap(scene, std::make_shared<const IndexedPhotons<Index>>(std::move(photons)), watts_per_flux,
-                    settings) {}
+    PhotonMap(const common::Scene& scene, Stored photons, float watts_per_flux, GatherSettings settings)
+        : PhotonMap(scene, std::make_shared<const Stored>(std::move(photons)), watts_per_flux, settings) {}
 
     /// The same photons asked in another way.
     [[nodiscard]] PhotonMap with_gather(const GatherSettings& settings) const {
@@ -56,8 +67,8 @@ class PhotonMap {
     [[nodiscard]] std::size_t nearest() const { return nearest_; }
 
   private:
-    PhotonMap(const common::Scene& scene, std::shared_ptr<const IndexedPhotons<Index>> stored,
-              float watts_per_flux, const GatherSettings& settings)
+    PhotonMap(const common::Scene& scene, std::shared_ptr<const Stored> stored, float watts_per_flux,
+              const GatherSettings& settings)
         : scene_(&scene),
           stored_(std::move(stored)),
           watts_per_flux_(watts_per_flux),
@@ -73,31 +84,28 @@ class PhotonMap {
         return 0;
     }
 
-    [[nodiscard]] bool is_on_same_surface(std::uint32_t photon, const common::SurfacePoint& point) const {
-        return arrival_normal(stored_->photons[photon], scene_->geometric_normal)
-                   .dot(point.geometric_normal) > common::same_surface_cosine;
-    }
-
     template <class KernelFunction>
     [[nodiscard]] common::Rgb from_nearest(const common::SurfacePoint& point,
                                            const KernelFunction& kernel) const {
+        using common::NearestSelection;
         // Reused by each thread: a gather must not allocate.
-        static thread_local std::vector<common::Neighbour> neighbours;
-        neighbours.resize(nearest_);
-        common::NearestSet nearest(neighbours, max_radius_ * max_radius_);
-        stored_->index.search(point.position, nearest,
-                              [&](std::uint32_t i) { return is_on_same_surface(i, point); });
-
-        std::span<const common::Neighbour> counted = nearest.found();
+        static thread_local std::vector<NearestSelection::Key> room;
+        room.resize(NearestSelection::room_for(nearest_));
         float radius_sq = max_radius_ * max_radius_;
-        if (nearest.full()) {
+        NearestSelection nearest(room, nearest_, radius_sq);
+        stored_->index.search(point.position, nearest,
+                              stored_->photons.same_surface(*scene_, point.geometric_normal));
+
+        std::span<const NearestSelection::Key> counted = nearest.finish();
+        if (counted.size() == nearest_) {
             // Photons that all lie in one point have no radius of their own.
-            radius_sq = std::max(counted.front().distance_sq, radius_sq * 1e-8f);
+            radius_sq = std::max(NearestSelection::distance_sq(counted.front()), radius_sq * 1e-8f);
             counted = counted.subspan(1);
         }
         common::Rgb sum(0, 0, 0);
-        for (const common::Neighbour& neighbour : counted)
-            sum += tilted_flux(neighbour.index, point) * kernel(neighbour.distance_sq / radius_sq);
+        for (const NearestSelection::Key found : counted)
+            sum += tilted_flux(NearestSelection::index(found), point) *
+                   kernel(NearestSelection::distance_sq(found) / radius_sq);
         return sum * (watts_per_flux_ / (std::numbers::pi_v<float> * radius_sq));
     }
 
@@ -110,21 +118,16 @@ class PhotonMap {
             sum += tilted_flux(i, point) * kernel(distance_sq / radius_sq);
         });
         stored_->index.search(point.position, collector,
-                              [&](std::uint32_t i) { return is_on_same_surface(i, point); });
+                              stored_->photons.same_surface(*scene_, point.geometric_normal));
         return sum * (watts_per_flux_ / (std::numbers::pi_v<float> * radius_sq));
     }
 
-    /// A photon's flux as the shading normal sees it: what a unit of irradiance on the photon's own surface
-    /// becomes on a plane with that normal is the ratio of the two cosines of incidence.
-    [[nodiscard]] common::Rgb tilted_flux(std::uint32_t index, const common::SurfacePoint& point) const {
-        const Photon& photon = stored_->photons[index];
-        const float on_surface = std::abs(photon.direction.dot(scene_->geometric_normal[photon.triangle]));
-        const float on_shading = std::max(0.0f, -photon.direction.dot(point.shading_normal));
-        return photon.flux * (on_shading / std::max(on_surface, common::min_incident_cosine));
+    [[nodiscard]] common::Rgb tilted_flux(std::uint32_t photon, const common::SurfacePoint& point) const {
+        return stored_->photons.tilted_flux(*scene_, photon, point.shading_normal);
     }
 
     const common::Scene* scene_;
-    std::shared_ptr<const IndexedPhotons<Index>> stored_;
+    std::shared_ptr<const Stored> stored_;
     float watts_per_flux_;
     Kernel kernel_;
     std::size_t nearest_;

@@ -3,6 +3,7 @@
 
 #include "common/point_index/flann_index.h"
 #include "common/point_index/nanoflann_index.h"
+#include "photonmap/packed_storage.h"
 #include "photonmap/photon_map.h"
 
 namespace photonmap {
@@ -59,6 +60,31 @@ class IncrementalPhotonSink {
     Index index_;
 };
 
+/// Packs photons as they come and builds the compact index over them when finished: the strongest photon map
+/// that this suite has.
+class CompactPhotonSink {
+  public:
+    using Map = PhotonMap<common::CompactIndex, PackedPhotons>;
+
+    CompactPhotonSink(const common::Scene& scene, GatherSettings settings)
+        : scene_(&scene), settings_(settings), photons_(scene) {}
+
+    void consume(std::span<const common::HitBatch> wave) { photons_.append(wave); }
+
+    [[nodiscard]] Map finish(float watts_per_flux) && {
+        PackedPhotonStorage::Indexed indexed = std::move(photons_).indexed();
+        return {*scene_, {std::move(indexed.photons), std::move(indexed.index)}, watts_per_flux, settings_};
+    }
+
+    [[nodiscard]] const common::RejectedHits& rejected() const { return photons_.rejected(); }
+    [[nodiscard]] std::size_t bytes() const { return photons_.bytes(); }
+
+  private:
+    const common::Scene* scene_;
+    GatherSettings settings_;
+    PackedPhotonStorage photons_;
+};
+
 using FlannPhotonSink = BulkPhotonSink<common::FlannIndex>;
 using NanoflannPhotonSink = BulkPhotonSink<common::NanoflannIndex>;
 using FlannIncrementalPhotonSink = IncrementalPhotonSink<common::FlannIncrementalIndex>;
@@ -66,6 +92,8 @@ using FlannIncrementalPhotonSink = IncrementalPhotonSink<common::FlannIncrementa
 static_assert(common::MapSink<FlannPhotonSink>);
 static_assert(common::MapSink<NanoflannPhotonSink>);
 static_assert(common::MapSink<FlannIncrementalPhotonSink>);
+static_assert(common::MapSink<CompactPhotonSink>);
 static_assert(common::IrradianceEstimator<PhotonMap<common::FlannIndex>>);
+static_assert(common::IrradianceEstimator<CompactPhotonSink::Map>);
 
 }  // namespace photonmap

@@ -25,6 +25,20 @@ class PhotonStorage {
     /// The same photons, those of `order` one after the other: each index once.
     [[nodiscard]] PhotonStorage in_order(std::span<const std::uint32_t> order) &&;
 
+    /// Whether a photon's surface faces as `normal` does.
+    [[nodiscard]] auto same_surface(const common::Scene& scene, const common::Vec3& normal) const {
+        return [this, &scene, normal](std::uint32_t i) {
+            return arrival_normal(photons_[i], scene.geometric_normal).dot(normal) >
+                   common::same_surface_cosine;
+        };
+    }
+
+    /// A photon's flux as the shading normal sees it, W times the number emitted.
+    [[nodiscard]] common::Rgb tilted_flux(const common::Scene& scene, std::uint32_t i,
+                                          const common::Vec3& shading_normal) const {
+        return photonmap::tilted_flux(photons_[i], scene.geometric_normal, shading_normal);
+    }
+
     [[nodiscard]] const Photon& operator[](std::size_t i) const { return photons_[i]; }
     [[nodiscard]] std::span<const common::Vec3> positions() const { return positions_.span(); }
     [[nodiscard]] std::size_t size() const { return photons_.size(); }

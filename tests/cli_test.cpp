@@ -108,7 +108,7 @@ TEST_F(BadOption, UnknownOption) {
 
 TEST_F(BadOption, UnknownMethod) {
     expect_refusal(render(cornell, "photonmap/oak"),
-                   {"--method:", "photonmap/oak", "flann", "flann-incremental"});
+                   {"--method:", "photonmap/oak", "flann", "flann-incremental", "compact"});
     expect_refusal({"compare", cornell, "--methods", "shlm,oak", "--out", folder.path()},
                    {"--methods:", "oak"});
 }

@@ -28,13 +28,14 @@ TEST(MethodName, TakesDefaultsForWhatIsLeftOut) {
     EXPECT_EQ(full_name("photonmap/flann-incremental"), "photonmap/flann-incremental/k50/disc");
     EXPECT_EQ(full_name("photonmap/nanoflann"), "photonmap/nanoflann/k50/disc");
     EXPECT_EQ(full_name("photonmap/grid"), "photonmap/grid/r0.003/disc");
+    EXPECT_EQ(full_name("photonmap/compact"), "photonmap/compact/k50/disc");
 }
 
 TEST(MethodName, StaysAsItIsWhereItIsFull) {
     for (const char* name :
          {"shlm/L0/normalised/own", "shlm/L4/radiance/bilinear", "shlm/L2/radiance/knn8/t65536",
           "photonmap/flann/k200/cone", "photonmap/flann/k0.05n23/epanechnikov", "photonmap/flann/r0.003/disc",
-          "photonmap/nanoflann/k0.05n23/cone", "photonmap/grid/r0.01/cone"})
+          "photonmap/nanoflann/k0.05n23/cone", "photonmap/compact/k50/cone", "photonmap/grid/r0.01/cone"})
         EXPECT_EQ(full_name(name), name);
 }
 
@@ -65,6 +66,7 @@ TEST(MethodName, OneStoreServesMethodsThatAskItDifferently) {
     EXPECT_FALSE(alike("photonmap/flann", "photonmap/nanoflann"));
     EXPECT_TRUE(alike("photonmap/grid/r0.01/disc", "photonmap/grid/r0.01/cone"));
     EXPECT_FALSE(alike("photonmap/grid/r0.01", "photonmap/grid/r0.02")) << "a grid is made for its radius";
+    EXPECT_FALSE(alike("photonmap/flann", "photonmap/compact"));
     EXPECT_FALSE(alike("photonmap", "shlm"));
 }
 
@@ -79,7 +81,7 @@ TEST(MethodName, EveryComplaintNamesTheOptionAndTheChoices) {
              {"shlm/L2/radiance/own/65536", {"'65536'", "t65536"}},
              {"shlm/L2/radiance/own/t0", {"'t0'"}},
              {"shlm/L2/radiance/own/t64/", {"expected after a whole name"}},
-             {"photonmap/oak", {"'oak'", "flann", "flann-incremental"}},
+             {"photonmap/oak", {"'oak'", "flann", "flann-incremental", "compact"}},
              {"photonmap/flann/k1", {"'k1'", "one photon has no density"}},
              {"photonmap/flann/k2.5", {"'k2.5'"}},
              {"photonmap/flann/k2n23", {"'k2n23'", "kCn23"}},

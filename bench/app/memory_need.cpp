@@ -14,7 +14,8 @@ constexpr double flann_bytes = 46;              // bulk tree: 33 to 42 by leaf f
 constexpr double nanoflann_bytes = 12;          // 7 to 8 by leaf fill
 constexpr double grid_bytes = 8;                // at most two cells a photon
 constexpr double flann_incremental_bytes = 96;  // 75, and FLANN's array of pointers while it grows
-constexpr double wave_bytes = 64e6;             // hits on their way to a store
+constexpr double compact_photon_bytes = 26;     // 24, and partly filled pages while they are sorted
+constexpr double wave_bytes = 64e6;             // hits on their way to a store, or to their cells
 
 /// While it is filled, and a finished map beside it with its index.
 double texel_bytes(const ShlmMethod& method) {
@@ -35,6 +36,8 @@ double photon_map_bytes_per_hit(PhotonMapEngine engine) {
             return photon_bytes + std::max(sorting_bytes, nanoflann_bytes);
         case PhotonMapEngine::grid:
             return photon_bytes + std::max(sorting_bytes, grid_bytes);
+        case PhotonMapEngine::compact:
+            return compact_photon_bytes;
         case PhotonMapEngine::flann_incremental:
             break;
     }
@@ -48,6 +51,8 @@ std::size_t most_photons(PhotonMapEngine engine) {
             return common::NanoflannIndex::max_points;
         case PhotonMapEngine::grid:
             return common::GridIndex::max_points;
+        case PhotonMapEngine::compact:
+            return common::CompactIndex::max_points;
         case PhotonMapEngine::flann:
         case PhotonMapEngine::flann_incremental:
             break;

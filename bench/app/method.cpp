@@ -83,10 +83,11 @@ constexpr std::array<std::pair<const char*, shlm::ShWeight>, 3> weights = {
     {{"radiance", shlm::ShWeight::radiance},
      {"flux", shlm::ShWeight::flux},
      {"normalised", shlm::ShWeight::normalised}}};
-constexpr std::array<std::pair<const char*, PhotonMapEngine>, 4> engines = {
+constexpr std::array<std::pair<const char*, PhotonMapEngine>, 5> engines = {
     {{"flann", PhotonMapEngine::flann},
      {"nanoflann", PhotonMapEngine::nanoflann},
      {"grid", PhotonMapEngine::grid},
+     {"compact", PhotonMapEngine::compact},
      {"flann-incremental", PhotonMapEngine::flann_incremental}}};
 constexpr std::array<std::pair<const char*, photonmap::Kernel>, 3> kernels = {
     {{"disc", photonmap::Kernel::disc},

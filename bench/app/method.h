@@ -29,10 +29,11 @@ enum class PhotonMapEngine {
     flann,             ///< one bulk build of KDTreeSingleIndex: how photon maps are made today
     nanoflann,         ///< the same with the library that people would choose today
     grid,              ///< cells of the gather's radius: for FixedRadius only
+    compact,           ///< packed photons under our own tree: the strongest
     flann_incremental  ///< every photon inserted into KDTreeIndex: what the paper measures itself against
 };
 
-/// photonmap / flann nanoflann grid flann-incremental / kK kFACTORn23 rFRACTION / disc cone epanechnikov
+/// photonmap / flann nanoflann grid compact flann-incremental / kK kFACTORn23 rFRACTION / disc cone epanechnikov
 struct PhotonMapMethod {
     PhotonMapEngine engine = PhotonMapEngine::flann;
     photonmap::PhotonSelection selection;

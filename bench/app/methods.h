@@ -101,6 +101,8 @@ auto with_sink(const Method& method, PreparedMethods& prepared, const common::Ph
             return work(photonmap::NanoflannPhotonSink(prepared.scene(), gather));
         case PhotonMapEngine::grid:
             return work(photonmap::GridPhotonSink(prepared.scene(), gather));
+        case PhotonMapEngine::compact:
+            return work(photonmap::CompactPhotonSink(prepared.scene(), gather));
         case PhotonMapEngine::flann_incremental:
             return work(photonmap::FlannIncrementalPhotonSink(prepared.scene(), gather));
         case PhotonMapEngine::flann:

@@ -36,6 +36,9 @@ void register_append_benchmarks(SharedInputs& inputs) {
     for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u})
         for (const int threads : {1, 2})
             register_append<photonmap::FlannPhotonSink>(inputs, "photonmap", hits, threads);
+    for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u})
+        for (const int threads : {1, 2})
+            register_append<photonmap::CompactPhotonSink>(inputs, "photonmap-compact", hits, threads);
     // FLANN inserts on one thread.
     for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u})
         register_append<photonmap::FlannIncrementalPhotonSink>(inputs, "photonmap-flann-incremental", hits,

@@ -2,21 +2,25 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/micro/subjects.h"
+#include "common/core/threads.h"
 
 namespace bench {
 namespace {
 
 /// Sorting recorded photons and the index over them. Items: hits.
 template <class Sink>
-void build_photon_map(benchmark::State& state, SharedInputs& inputs, std::uint64_t hits,
+void build_photon_map(benchmark::State& state, SharedInputs& inputs, std::uint64_t hits, int threads,
                       const photonmap::GatherSettings& settings) {
+    common::ThreadPool pool(threads);
     for (auto _ : state) {
         state.PauseTiming();
         Sink sink(inputs.loaded().scene, settings);
         replay(inputs.recording(hits), sink);
         state.ResumeTiming();
-        const auto map = common::finish_map(std::move(sink), inputs.recording(hits).report);
-        benchmark::DoNotOptimize(map.bytes());
+        pool.run([&] {
+            const auto map = common::finish_map(std::move(sink), inputs.recording(hits).report);
+            benchmark::DoNotOptimize(map.bytes());
+        });
     }
     state.SetItemsProcessed(state.iterations() *
                             static_cast<std::int64_t>(inputs.recording(hits).report.hits));
@@ -40,12 +44,14 @@ void build_light_map(benchmark::State& state, SharedInputs& inputs, std::size_t 
 template <class Sink>
 void register_photon_map(SharedInputs& inputs, const char* engine,
                          const photonmap::GatherSettings& settings = {}) {
-    for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u})
-        benchmark::RegisterBenchmark(fmt::format("build/photonmap-{}/hits:{}", engine, hits).c_str(),
-                                     [&inputs, hits, settings](benchmark::State& s) {
-                                         build_photon_map<Sink>(s, inputs, hits, settings);
-                                     })
-            ->UseRealTime();
+    for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u, 10'000'000u})
+        for (const int threads : {1, 2})
+            benchmark::RegisterBenchmark(
+                fmt::format("build/photonmap-{}/hits:{}/threads:{}", engine, hits, threads).c_str(),
+                [&inputs, hits, threads, settings](benchmark::State& s) {
+                    build_photon_map<Sink>(s, inputs, hits, threads, settings);
+                })
+                ->UseRealTime();
 }
 
 }  // namespace
@@ -53,6 +59,7 @@ void register_photon_map(SharedInputs& inputs, const char* engine,
 void register_build_benchmarks(SharedInputs& inputs) {
     register_photon_map<photonmap::FlannPhotonSink>(inputs, "flann");
     register_photon_map<photonmap::NanoflannPhotonSink>(inputs, "nanoflann");
+    register_photon_map<photonmap::CompactPhotonSink>(inputs, "compact");
     register_photon_map<photonmap::GridPhotonSink>(inputs, "grid", {photonmap::FixedRadius{0.003}});
     for (const std::size_t texels : {4'096u, 65'536u, 262'144u, 1'048'576u})
         benchmark::RegisterBenchmark(

@@ -93,9 +93,14 @@ void register_gather_benchmarks(SharedInputs& inputs) {
     const auto of_light_map = lazy(
         [&] { return mean_irradiance(light_map(inputs, default_texels), inputs.queries().image_order); });
     // With fewer hits the photon map darkens edges by more than the 5 %.
-    for (const std::uint64_t hits : {100'000ul, default_hits, 4 * default_hits})
+    for (const std::uint64_t hits : {100'000ul, default_hits, 4 * default_hits}) {
         register_gather(inputs, fmt::format("gather/photonmap-flann/hits:{}", hits),
                         lazy([&inputs, hits] { return photon_map(inputs, hits); }), of_light_map);
+        register_gather(inputs, fmt::format("gather/photonmap-compact/hits:{}", hits), lazy([&inputs, hits] {
+                            return photon_map<photonmap::CompactPhotonSink>(inputs, hits);
+                        }),
+                        of_light_map);
+    }
     for (const std::uint64_t hits : {default_hits, 4 * default_hits}) {
         using Nanoflann = photonmap::NanoflannPhotonSink;
         using Grid = photonmap::GridPhotonSink;

@@ -3,7 +3,9 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <span>
 #include <type_traits>
@@ -18,14 +20,18 @@ template <class T>
 requires std::is_trivially_destructible_v<T>
 class StableArray {
   public:
+    /// Pages of 2 MiB are fewer and faster; those of 4 KiB keep an array small that is filled in many places
+    /// at once.
+    enum class Pages { large, small };
+
     /// Throws std::bad_alloc where the system does not give that much address space.
-    explicit StableArray(std::size_t max_size) : max_size_(max_size) {
+    explicit StableArray(std::size_t max_size, Pages pages = Pages::large) : max_size_(max_size) {
         void* memory = mmap(nullptr, reserved_bytes(), PROT_READ | PROT_WRITE,
                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
         if (memory == MAP_FAILED) throw std::bad_alloc();
         data_ = static_cast<T*>(memory);
-        madvise(memory, reserved_bytes(),
-                MADV_HUGEPAGE);  // fewer page faults; refused on some systems, and then no loss
+        // Large pages are refused on some systems, and then no loss.
+        madvise(memory, reserved_bytes(), pages == Pages::large ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
     }
 
     StableArray(StableArray&& other) noexcept
@@ -46,7 +52,17 @@ class StableArray {
         return {data_ + size_ - count, count};
     }
 
+    /// Gives the memory of elements [first, last) back to the system, by whole blocks of `granularity` bytes;
+    /// none of them may be read any more.
+    void release(std::size_t first, std::size_t last, std::size_t granularity) {
+        const auto base = reinterpret_cast<std::uintptr_t>(data_);
+        const std::uintptr_t begin = (base + first * sizeof(T) + granularity - 1) / granularity * granularity;
+        const std::uintptr_t end = (base + last * sizeof(T)) / granularity * granularity;
+        if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
+    }
+
     [[nodiscard]] const T& operator[](std::size_t i) const { return data_[i]; }
+    [[nodiscard]] std::span<T> elements() { return {data_, size_}; }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::span<const T> span() const { return {data_, size_}; }
 
@@ -57,7 +73,9 @@ class StableArray {
     }
 
   private:
-    [[nodiscard]] std::size_t reserved_bytes() const { return max_size_ * sizeof(T); }
+    [[nodiscard]] std::size_t reserved_bytes() const {
+        return std::max<std::size_t>(max_size_ * sizeof(T), 1);
+    }
 
     T* data_ = nullptr;
     std::size_t size_ = 0;

@@ -1,0 +1,108 @@
+// A photon in 24 bytes: exact where it is found by, rounded where it is summed.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "common/core/vector.h"
+
+namespace photonmap {
+
+/// Unit vectors as points of an octahedron unfolded into a square (Cigolle et al. 2014, "A Survey of
+/// Efficient Representations for Independent Unit Vectors"), each coordinate in 2^Bits - 1 equal steps: the
+/// axes and everything in between them that is a multiple of a step are exact. What comes back is within
+/// sqrt(4.5) / (2^(Bits - 1) - 1) radians.
+template <int Bits>
+struct Octahedral {
+    static constexpr int half_steps = (1 << (Bits - 1)) - 1;
+    static constexpr std::uint32_t mask = (1u << Bits) - 1;
+
+    [[nodiscard]] static std::uint32_t pack(const common::Vec3& v) {
+        const float to_octahedron = 1 / (std::abs(v.x) + std::abs(v.y) + std::abs(v.z));
+        float s = v.x * to_octahedron, t = v.y * to_octahedron;
+        if (v.z < 0) {
+            const float folded_s = std::copysign(1 - std::abs(t), s);
+            t = std::copysign(1 - std::abs(s), t);
+            s = folded_s;
+        }
+        return step(s) | step(t) << Bits;
+    }
+
+    /// Unit.
+    [[nodiscard]] static common::Vec3 unpack(std::uint32_t packed) {
+        common::Vec3 v(value(packed & mask), value(packed >> Bits & mask), 0);
+        v.z = 1 - std::abs(v.x) - std::abs(v.y);
+        const float below = std::max(-v.z, 0.0f);
+        v.x -= std::copysign(below, v.x);
+        v.y -= std::copysign(below, v.y);
+        return v * (1 / std::sqrt(v.dot(v)));
+    }
+
+  private:
+    static std::uint32_t step(float s) {
+        return static_cast<std::uint32_t>(s * half_steps + (half_steps + 0.5f));
+    }
+    static float value(std::uint32_t step) {
+        return static_cast<float>(static_cast<int>(step) - half_steps) * (1.0f / half_steps);
+    }
+};
+
+/// Three numbers >= 0 with ten bits each of the largest one's exponent (Ward 1991, "Real Pixels", with two
+/// bits more): each is within 2^-10 of the largest. 38 bits.
+struct SharedExponent {
+    [[nodiscard]] static std::uint64_t pack(const common::Rgb& c) {
+        constexpr float largest_finite = 3e38f, smallest = 0x1p-116f;
+        const float largest = std::min(common::max_component(c), largest_finite);
+        if (!(largest >= smallest)) return 0;
+        // The scale is a power of two at which the largest is from 512 to 1024, or from 512 where that
+        // would be rounded up to 1024.
+        std::uint32_t exponent = (std::bit_cast<std::uint32_t>(largest) >> 23) - 9;
+        if (largest / scale(exponent) >= 1023.5f) ++exponent;
+        const auto rounded = [&](float x) {
+            return static_cast<std::uint64_t>(std::min(x, largest_finite) / scale(exponent) + 0.5f);
+        };
+        return rounded(c.x) | rounded(c.y) << 10 | rounded(c.z) << 20 | std::uint64_t{exponent} << 30;
+    }
+
+    [[nodiscard]] static common::Rgb unpack(std::uint64_t packed) {
+        const auto bits = [&](int first) { return static_cast<float>(packed >> first & 0x3ff); };
+        return common::Rgb(bits(0), bits(10), bits(20)) *
+               scale(static_cast<std::uint32_t>(packed >> 30 & 0xff));
+    }
+
+  private:
+    static float scale(std::uint32_t exponent) { return std::bit_cast<float>(exponent << 23); }
+};
+
+/// What one photon adds: its flux on a plane that faces it, and the way it travels. 38 and 26 bits.
+///
+/// The flux has been divided by the cosine of incidence before it is rounded. So a gather needs no normal for
+/// the sum, and a rounded normal cannot weigh a grazing photon wrongly.
+struct PackedLight {
+    std::uint64_t bits;
+
+    using Direction = Octahedral<13>;
+
+    [[nodiscard]] static PackedLight pack(const common::Vec3& direction, const common::Rgb& facing_flux) {
+        return {SharedExponent::pack(facing_flux) | std::uint64_t{Direction::pack(direction)} << 38};
+    }
+    [[nodiscard]] common::Rgb facing_flux() const { return SharedExponent::unpack(bits); }
+    [[nodiscard]] common::Vec3 direction() const {
+        return Direction::unpack(static_cast<std::uint32_t>(bits >> 38));
+    }
+};
+
+/// The normal of its surface on the side it arrived at decides only whether a photon counts: 16 bits, within
+/// a degree. Facets that meet at 60 degrees exactly, where float rounding decides already, may be told apart
+/// otherwise than by the unrounded normal.
+using PackedNormal = Octahedral<8>;
+
+/// As it is stored while photons are traced: nothing is added later but the boxes of the index.
+struct PackedPhoton {
+    common::Vec3 position;
+    std::uint16_t arrival_normal;
+    PackedLight light;
+};
+static_assert(sizeof(PackedPhoton) == 24);
+
+}  // namespace photonmap

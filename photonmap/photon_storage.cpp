@@ -43,7 +43,8 @@ void PhotonStorage::append(std::span<const common::HitBatch> wave) {
 PhotonStorage PhotonStorage::sorted_along_curve() && {
     const PhotonStorage unsorted = std::move(*this);  // given back on return: an index is built next
     const std::vector<std::uint32_t> order = common::morton_order(unsorted.positions());
-    PhotonStorage sorted;
+    // No more room than it takes: valgrind has 128 GiB of addresses, too few to reserve the most for both.
+    PhotonStorage sorted(std::max<std::size_t>(1, unsorted.size()));
     sorted.rejected_ = unsorted.rejected_;
     const std::span<common::Vec3> positions = sorted.positions_.grow(unsorted.size());
     const std::span<Photon> photons = sorted.photons_.grow(unsorted.size());

@@ -52,14 +52,16 @@ def check_out(repository, revision):
 
 
 def build(source, folder, flags, targets):
-    """Does only what is not done yet. CMAKE_CXX_COMPILER_LAUNCHER in the environment is heeded by cmake itself."""
+    """Does only what is not done yet. With CMAKE_CXX_COMPILER_LAUNCHER=ccache, which cmake heeds, what the revisions share is
+    compiled once: below CCACHE_BASEDIR paths do not matter."""
     log = folder.with_suffix(".log")
+    environment = {"CCACHE_BASEDIR": str(folder.parent.parent), **os.environ}
     with log.open("w", encoding="utf-8") as text:
         for command in (
             ["cmake", "-G", "Ninja", "-S", source, "-B", folder, *flags],
             ["cmake", "--build", folder, "--target", *targets],
         ):
-            if subprocess.run(command, stdout=text, stderr=text).returncode != 0:
+            if subprocess.run(command, stdout=text, stderr=text, env=environment).returncode != 0:
                 raise InputError(f"{source}: does not build, see {log}")
     return folder
 

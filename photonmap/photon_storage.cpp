@@ -29,7 +29,8 @@ PhotonStorage PhotonStorage::sorted_along_curve() && {
 }
 
 PhotonStorage PhotonStorage::in_order(std::span<const std::uint32_t> order) && {
-    PhotonStorage sorted;
+    // No more room than it takes: valgrind has 128 GiB of addresses, too few to reserve the most for both.
+    PhotonStorage sorted(std::max<std::size_t>(1, size()));
     sorted.rejected_ = rejected_;
     // One column after the other, each given back at once: the two copies decide how many photons fit.
     const auto move_column = [&](auto& sorted_column, auto& own_column) {

@@ -15,6 +15,8 @@ class PhotonStorage {
     /// Room for what one index can count.
     static constexpr std::size_t max_photons = 0xffffffff;
 
+    PhotonStorage() : PhotonStorage(max_photons) {}
+
     /// Appends the finite hits of a wave in order, with all threads of the calling arena. Throws
     /// std::bad_alloc past max_photons.
     void append(std::span<const common::HitBatch> wave);
@@ -46,8 +48,10 @@ class PhotonStorage {
     [[nodiscard]] const common::RejectedHits& rejected() const { return rejected_; }
 
   private:
-    common::StableArray<common::Vec3> positions_{max_photons};
-    common::StableArray<Photon> photons_{max_photons};
+    explicit PhotonStorage(std::size_t max_size) : positions_(max_size), photons_(max_size) {}
+
+    common::StableArray<common::Vec3> positions_;
+    common::StableArray<Photon> photons_;
     common::RejectedHits rejected_;
 };
 

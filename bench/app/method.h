@@ -33,7 +33,8 @@ enum class PhotonMapEngine {
     flann_incremental  ///< every photon inserted into KDTreeIndex: what the paper measures itself against
 };
 
-/// photonmap / flann nanoflann grid compact flann-incremental / kK kFACTORn23 rFRACTION / disc cone epanechnikov
+/// photonmap / flann nanoflann grid compact flann-incremental / kK kFACTORn23 rFRACTION / disc cone
+/// epanechnikov
 struct PhotonMapMethod {
     PhotonMapEngine engine = PhotonMapEngine::flann;
     photonmap::PhotonSelection selection;

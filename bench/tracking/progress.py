@@ -1,0 +1,7 @@
+"""What is being done, on stderr."""
+
+import sys
+
+
+def say(text):
+    print(f"bench/track: {text}", file=sys.stderr, flush=True)

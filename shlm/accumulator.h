@@ -70,12 +70,8 @@ class Accumulator {
         earlier_clamped_ += clamped;
     }
 
-    /// The sums and what is kept to sort a batch by share.
-    [[nodiscard]] std::size_t bytes() const {
-        std::size_t bytes = sums_.bytes();
-        for (const DepositSorter& sorter : sorters_) bytes += sorter.bytes();
-        return bytes;
-    }
+    /// Of the sums. Each thread works in some 100 KiB beside them, as much as a batch of hits needs.
+    [[nodiscard]] std::size_t bytes() const { return sums_.bytes(); }
 
   private:
     /// A texel's sums are asked for this many deposits before they are added to: about the time of a cache

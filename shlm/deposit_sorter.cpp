@@ -56,8 +56,4 @@ void DepositSorter::deal_out() {
     for (const Deposit& deposit : deposits_) by_share_[next[share_of(deposit.texel)]++] = deposit;
 }
 
-std::size_t DepositSorter::bytes() const {
-    return (deposits_.capacity() + by_share_.capacity()) * sizeof(Deposit);
-}
-
 }  // namespace shlm

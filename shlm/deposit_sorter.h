@@ -40,7 +40,6 @@ class DepositSorter {
 
     [[nodiscard]] const common::RejectedHits& rejected() const { return rejected_; }
     [[nodiscard]] const ClampedLight& clamped() const { return clamped_; }
-    [[nodiscard]] std::size_t bytes() const;
 
   private:
     void find_texels(const common::HitBatch& hits);

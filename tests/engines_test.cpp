@@ -17,7 +17,7 @@ std::vector<common::Rgb> answers(const std::string& method, const bench::LoadedS
                                  const bench::QueryPoints& queries) {
     bench::PreparedMethods prepared(scene, {});
     const common::PhotonSource source(scene.scene);
-    return bench::with_sink(bench::parse_method("", method), prepared, [&](auto sink) {
+    return bench::with_sink(bench::parse_method("", method), prepared, source, [&](auto sink) {
         const auto trace =
             common::trace_photons(scene.rays, source, 1, {.hits = count_for(200'000, 20'000)}, sink);
         const auto map = common::finish_map(std::move(sink), trace);

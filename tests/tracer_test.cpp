@@ -107,9 +107,8 @@ struct UnorderedCount {
 };
 
 TEST(Tracer, UnorderedSinkGetsTheSameRun) {
-    for (const TraceTarget target :
-         {TraceTarget{.photons = 100'001}, TraceTarget{.hits = 600'000},
-          TraceTarget{.photons = 200'000, .first_photon = 100}}) {
+    for (const TraceTarget target : {TraceTarget{.photons = 100'001}, TraceTarget{.hits = 600'000},
+                                     TraceTarget{.photons = 200'000, .first_photon = 100}}) {
         UnorderedCount sink;
         const TraceReport unordered = trace(furnished_room(), 10, target, sink);
         const TraceReport ordered = record(furnished_room(), 10, target).report;
@@ -125,7 +124,7 @@ TEST(Tracer, UnorderedSinkGetsTheSameRun) {
 TEST(Tracer, GoesOnFromWhereItWasStopped) {
     const Scene scene = furnished_room();
     for (const common::TraceTarget target :
-         {common::TraceTarget{.photons = 20'001}, common::TraceTarget{.hits = 40'000}}) {
+         {common::TraceTarget{.photons = 300'001}, common::TraceTarget{.hits = 900'000}}) {
         const TracedRun whole = record(scene, 5, target);
         common::RecordingSink sink;
         TraceReport report;
@@ -143,16 +142,15 @@ TEST(Tracer, GoesOnFromWhereItWasStopped) {
 
 TEST(Tracer, ARunMayBeginAtAnyPhoton) {
     const Scene scene = furnished_room();
-    const TracedRun whole = record(scene, 6, {.photons = 40 * 256});
+    const std::uint64_t block = common::photons_per_block;
+    const TracedRun whole = record(scene, 6, {.photons = 3 * block});
     std::uint64_t hits = 0;
-    for (const auto& [first, end] : {std::pair(0, 1000), std::pair(1000, 1024), std::pair(1024, 40 * 256)})
-        hits += record(scene, 6,
-                       {.photons = static_cast<std::uint64_t>(end - first),
-                        .first_photon = static_cast<std::uint64_t>(first)})
-                    .report.hits;
+    for (const auto& [first, end] :
+         {std::pair(0ul, 1000ul), std::pair(1000ul, block + 24), std::pair(block + 24, 3 * block)})
+        hits += record(scene, 6, {.photons = end - first, .first_photon = first}).report.hits;
     EXPECT_EQ(hits, whole.report.hits);
-    const TracedRun head = record(scene, 6, {.photons = 39 * 256}),
-                    tail = record(scene, 6, {.photons = 256, .first_photon = 39 * 256});
+    const TracedRun head = record(scene, 6, {.photons = 2 * block}),
+                    tail = record(scene, 6, {.photons = block, .first_photon = 2 * block});
     common::HitBatch joined = head.hits;
     for (std::size_t i = 0; i < tail.hits.size(); ++i)
         joined.push_back(tail.hits.position[i], tail.hits.direction[i], tail.hits.flux[i],
@@ -214,8 +212,8 @@ TEST(Tracer, ThrowsWhereNoHitsCanBeReached) {
 TEST(Tracer, StopsWhenProgressSaysSo) {
     common::NullSink sink;
     int calls = 0;
-    const TraceReport report =
-        trace(open_scene(), 7, {.photons = 100'000'000}, sink, [&](const TraceReport&) { return ++calls < 2; });
+    const TraceReport report = trace(open_scene(), 7, {.photons = 100'000'000}, sink,
+                                     [&](const TraceReport&) { return ++calls < 2; });
     EXPECT_TRUE(report.interrupted);
     EXPECT_GT(report.fates.emitted, 0u);
     EXPECT_LT(report.fates.emitted, 100'000'000u);

@@ -1,5 +1,7 @@
 #include "common/tracer/wave.h"
 
+#include <oneapi/tbb/task_arena.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +34,8 @@ std::size_t whole_blocks_ahead(const TraceReport& so_far, const TraceTarget& tar
     const double hits_are_safe = so_far.hits == 0 ? 0 : 0.9 * blocks_to_hits(so_far, target);
     const double safe = std::max(blocks_to_photons(so_far, target), hits_are_safe);
     if (safe < 8) return 0;
-    return static_cast<std::size_t>(std::min(safe, static_cast<double>(max_blocks_per_unordered_wave)));
+    const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    return std::min(static_cast<std::size_t>(safe), max_blocks_per_thread * threads);
 }
 
 void take_photons(TracedBlock& block, const TraceTarget& target, TraceReport& report) {

@@ -13,16 +13,16 @@ namespace common {
 /// Blocks whose hits are kept until the sink reads them, at most: enough to keep every thread busy.
 inline constexpr std::size_t max_blocks_per_ordered_wave = 32;
 
-/// Blocks between two calls of TraceProgress, at most: enough for threads to wait for the last one for a
-/// small part of the time.
-inline constexpr std::size_t max_blocks_per_unordered_wave = 256;
+/// Blocks a thread traces between two calls of TraceProgress, at most: enough to wait for the slowest thread
+/// for a small part of the time only.
+inline constexpr std::size_t max_blocks_per_thread = 32;
 
 /// How many blocks the next ordered wave should have so as not to trace much more than the target needs.
 /// Costs time only when wrong: the run ends at the same photon for any size of wave.
 [[nodiscard]] std::size_t blocks_in_next_wave(const TraceReport& so_far, const TraceTarget& target);
 
 /// How many blocks can be traced without reaching the target: 0 where it is near, where nothing is known yet,
-/// and in the middle of a block.
+/// and in the middle of a block. More for more threads, which changes nothing but when progress is called.
 [[nodiscard]] std::size_t whole_blocks_ahead(const TraceReport& so_far, const TraceTarget& target);
 
 /// Leaves of a block, the one that has the run's next photon, those photons that the run still needs, and

@@ -32,13 +32,13 @@ class Accumulator {
         for (std::size_t share = 0; share < DepositSorter::max_shares; ++share) {
             tbb::spin_mutex::scoped_lock lock;
             if (!lock.try_acquire((*shares_)[share].mutex)) continue;
-            add(hits, sorter.share(share));
+            add(hits, sorter, share);
             done.set(share);
         }
         for (std::size_t share = 0; share < DepositSorter::max_shares; ++share) {
             if (done[share]) continue;
             const tbb::spin_mutex::scoped_lock lock((*shares_)[share].mutex);
-            add(hits, sorter.share(share));
+            add(hits, sorter, share);
         }
     }
 
@@ -82,8 +82,11 @@ class Accumulator {
         tbb::spin_mutex mutex;
     };
 
-    void add(const common::HitBatch& hits, std::span<const Deposit> deposits) {
-        for (std::size_t i = 0; i < deposits.size(); ++i) {
+    void add(const common::HitBatch& hits, const DepositSorter& sorter, std::size_t share) {
+        const std::span<const Deposit> deposits = sorter.deposits();
+        const std::size_t end = sorter.share_begin(share + 1);
+        for (std::size_t i = sorter.share_begin(share); i < end; ++i) {
+            // Past the share's end too: the next share most often comes next.
             if (i + prefetch_distance < deposits.size())
                 sums_.prefetch(deposits[i + prefetch_distance].texel);
             const Deposit& deposit = deposits[i];

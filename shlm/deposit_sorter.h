@@ -32,11 +32,11 @@ class DepositSorter {
     /// Replaces the deposits by those of another batch; hits that have no texel are counted and left out.
     void sort(const common::HitBatch& hits);
 
-    /// The batch's deposits into one share of the texels.
-    [[nodiscard]] std::span<const Deposit> share(std::size_t index) const {
-        return std::span(by_share_).subspan(share_begin_[index],
-                                            share_begin_[index + 1] - share_begin_[index]);
-    }
+    /// The batch's deposits, share after share.
+    [[nodiscard]] std::span<const Deposit> deposits() const { return by_share_; }
+
+    /// Where share `index` begins in `deposits`; it ends where the next one begins.
+    [[nodiscard]] std::size_t share_begin(std::size_t index) const { return share_begin_[index]; }
 
     [[nodiscard]] const common::RejectedHits& rejected() const { return rejected_; }
     [[nodiscard]] const ClampedLight& clamped() const { return clamped_; }

@@ -46,6 +46,8 @@ std::string description(std::size_t part, const LimitSubject& subject) {
     switch (static_cast<LimitPart>(part)) {
         case LimitPart::single:
             return "Embree alone, single rays";
+        case LimitPart::sorted_single:
+            return "Embree alone, single sorted rays";
         case LimitPart::packet:
             return "Embree alone, packets";
         case LimitPart::sorted_packet:

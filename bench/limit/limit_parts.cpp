@@ -38,6 +38,8 @@ double measure(LimitPart part, const LimitSubject& subject) {
     switch (part) {
         case LimitPart::single:
             return seconds_of([&] { replay_single(rays, subject.run.blocks); });
+        case LimitPart::sorted_single:
+            return seconds_of([&] { replay_single(rays, subject.sorted); });
         case LimitPart::packet:
             return seconds_of([&] { replay_packets(rays, subject.run.blocks); });
         case LimitPart::sorted_packet:

@@ -11,11 +11,11 @@
 
 namespace bench {
 
-enum class LimitPart : std::size_t { single, packet, sorted_packet, null, shlm, photonmap };
+enum class LimitPart : std::size_t { single, sorted_single, packet, sorted_packet, null, shlm, photonmap };
 
 /// As the table and the JSON call them.
-inline constexpr std::array<std::string_view, 6> limit_part_names = {"single", "packet", "sorted_packet",
-                                                                     "null",   "shlm",   "photonmap"};
+inline constexpr std::array<std::string_view, 7> limit_part_names = {
+    "single", "sorted_single", "packet", "sorted_packet", "null", "shlm", "photonmap"};
 
 /// A run, recorded and ready to be traced again.
 struct LimitSubject {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "bench/limit/limit_figures.h"
 #include "bench/limit/replay.h"

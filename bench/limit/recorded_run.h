@@ -40,7 +40,7 @@ using RecordProgress = std::function<bool(const RecordedRun& so_far)>;
 /// Follows the photons 0, 1, ... of the run with this seed, one after the other and each from its light to
 /// its end, until there are `hits` hits: the photons that trace_photons traces for that target, and every ray
 /// that it traces for them, also those that meet nothing, a mirror or glass. Path by path, each begins
-/// where the one before has met the scene; sorting makes single rays faster or slower by 1 %.
+/// where the one before has met the scene; sorting makes single rays faster or slower by up to 3 %.
 ///
 /// Throws InputError where the rays take more than `max_bytes`, or where so many photons have met nothing
 /// that the hits will not be reached.

@@ -10,6 +10,7 @@
 #include "bench/app/trace.h"
 #include "bench/bases/bases.h"
 #include "bench/compare/compare.h"
+#include "bench/limit/limit.h"
 #include "bench/study/study.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
@@ -33,6 +34,7 @@ int run(int argc, char** argv) {
     bench::add_study_command(app);
     bench::add_diff_command(app);
     bench::add_bases_command(app);
+    bench::add_limit_command(app);
     try {
         app.parse(argc, argv);
         return 0;

@@ -1,0 +1,141 @@
+#include "bench/limit/limit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "bench/app/ending.h"
+#include "bench/app/memory_need.h"
+#include "bench/app/run_options.h"
+#include "bench/app/warnings.h"
+#include "bench/limit/limit_figures.h"
+#include "common/core/input_error.h"
+#include "common/core/interrupt.h"
+#include "common/core/progress.h"
+#include "common/core/threads.h"
+
+namespace bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct LimitOptions {
+    std::string file, light_map = "shlm", photon_map = "photonmap/compact", hits = "2e6";
+    std::string texels = std::to_string(shlm::default_texels);
+    int repeat = 9;
+    SceneOptions scene;
+    RunOptions run;
+    bool json = false;
+};
+
+/// A request, checked.
+struct LimitPlan {
+    const LimitOptions& options;
+    Method light_map, photon_map;
+    MethodSettings settings;
+    std::uint64_t hits;
+    std::size_t max_ray_bytes;  ///< for the rays as they are recorded and sorted
+};
+
+LimitPlan make_plan(const LimitOptions& options) {
+    LimitPlan plan{options,
+                   parse_method("--shlm", options.light_map),
+                   parse_method("--photonmap", options.photon_map),
+                   {.texels = parse_count("--texels", options.texels)},
+                   parse_count("--hits", options.hits),
+                   default_max_bytes()};
+    if (!plan.light_map.light_map()) throw common::InputError("--shlm: a light map, shlm/...");
+    if (!plan.photon_map.photon_map()) throw common::InputError("--photonmap: a photon map, photonmap/...");
+    // Odd, so that the median is a ratio that was measured.
+    if (options.repeat < 3 || options.repeat > 999 || options.repeat % 2 == 0)
+        throw common::InputError("--repeat: an odd number from 3 to 999");
+    std::size_t largest = 0;
+    for (const Method& method : {plan.light_map, plan.photon_map}) {
+        require_memory(method, plan.settings, plan.hits, plan.max_ray_bytes);
+        largest = std::max(largest, needed_bytes(method, plan.settings, plan.hits));
+    }
+    plan.max_ray_bytes -= largest;
+    return plan;
+}
+
+void stop_if_interrupted() {
+    if (common::interrupted())
+        throw Interrupted("limit stopped: nothing is kept, a part of the repetitions is no figure");
+}
+
+RecordedRun record(const LimitPlan& plan, const LoadedScene& loaded, const common::PhotonSource& source) {
+    common::Progress progress("recording rays", "hits", plan.hits);
+    RecordedRun run = record_run(loaded.rays, source, plan.options.run.seed, plan.hits,
+                                 plan.max_ray_bytes / 2, [&](const RecordedRun& so_far) {
+                                     progress.show(so_far.report.hits);
+                                     return !common::interrupted();
+                                 });
+    stop_if_interrupted();
+    return run;
+}
+
+LimitSeconds measure(const LimitSubject& subject, std::size_t repetitions) {
+    common::Progress progress("limit", "rays", repetitions * limit_part_names.size() * subject.run.rays);
+    LimitSeconds seconds = measure_limit(subject, repetitions, [&](std::size_t parts) {
+        progress.show(parts * subject.run.rays);
+        return !common::interrupted();
+    });
+    stop_if_interrupted();
+    return seconds;
+}
+
+void run(const LimitOptions& options) {
+    const LimitPlan plan = make_plan(options);
+    const int threads = options.run.thread_count();
+    common::ThreadPool pool(threads);
+    pool.run([&] {
+        const LoadedScene loaded(options.file, options.scene);
+        const common::PhotonSource source(loaded.scene);
+        PreparedMethods prepared(loaded, plan.settings);
+        (void)prepared.texels_of(*plan.light_map.light_map());  // no clock must see this
+        print_scene_warnings(loaded);
+        print_lightmap_warnings(loaded, prepared);
+
+        RecordedRun recorded = record(plan, loaded, source);
+        std::vector<RayBlock> sorted = sorted_blocks(recorded.blocks, loaded.scene.bounds);
+        const LimitSubject subject{loaded,
+                                   source,
+                                   prepared,
+                                   plan.light_map,
+                                   plan.photon_map,
+                                   options.run.seed,
+                                   std::move(recorded),
+                                   std::move(sorted)};
+        check_answers(subject);
+        stop_if_interrupted();
+        const LimitSeconds seconds = measure(subject, static_cast<std::size_t>(options.repeat));
+        if (options.json)
+            fmt::print("{}\n", limit_as_json(subject, seconds, threads)
+                                   .dump(2, ' ', false, Json::error_handler_t::replace));  // odd file names
+        else
+            fmt::print("{}", limit_as_text(subject, seconds, threads));
+    });
+}
+
+}  // namespace
+
+void add_limit_command(CLI::App& app) {
+    const auto options = std::make_shared<LimitOptions>();
+    CLI::App* command =
+        app.add_subcommand("limit", "Say how near tracing comes to Embree alone with the same rays");
+    command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
+    command->add_option("--hits", options->hits, "The run: as many photons as make at least this many hits")
+        ->capture_default_str();
+    command->add_option("--shlm", options->light_map, "Which light map: shlm/...")->capture_default_str();
+    command->add_option("--photonmap", options->photon_map, "Which photon map: photonmap/...")
+        ->capture_default_str();
+    command->add_option("--texels", options->texels, "Light maps: texels in all")->capture_default_str();
+    command->add_option("--repeat", options->repeat, "Repetitions, an odd number")->capture_default_str();
+    options->scene.add_to(*command);
+    options->run.add_to(*command);
+    command->add_flag("--json", options->json, "Print JSON");
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace bench

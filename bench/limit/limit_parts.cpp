@@ -1,0 +1,91 @@
+#include "bench/limit/limit_parts.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "bench/app/stopwatch.h"
+#include "bench/limit/replay.h"
+#include "common/core/interrupt.h"
+#include "common/tracer/null_sink.h"
+#include "common/tracer/trace_photons.h"
+
+namespace bench {
+namespace {
+
+/// The recorded photons, traced again.
+template <class Sink>
+common::TraceReport trace_into(Sink& sink, const LimitSubject& subject) {
+    return common::trace_photons(subject.loaded.rays, subject.source, subject.seed,
+                                 {.photons = subject.run.report.fates.emitted}, sink,
+                                 [](const common::TraceReport&) { return !common::interrupted(); });
+}
+
+template <class Work>
+double seconds_of(const Work& work) {
+    const Stopwatch watch;
+    work();
+    return watch.seconds();
+}
+
+double trace_seconds(const Method& method, const LimitSubject& subject) {
+    return with_sink(method, subject.prepared, subject.source,
+                     [&](auto sink) { return seconds_of([&] { (void)trace_into(sink, subject); }); });
+}
+
+double measure(LimitPart part, const LimitSubject& subject) {
+    const common::RayScene& rays = subject.loaded.rays;
+    switch (part) {
+        case LimitPart::single:
+            return seconds_of([&] { replay_single(rays, subject.run.blocks); });
+        case LimitPart::sorted_single:
+            return seconds_of([&] { replay_single(rays, subject.sorted); });
+        case LimitPart::packet:
+            return seconds_of([&] { replay_packets(rays, subject.run.blocks); });
+        case LimitPart::sorted_packet:
+            return seconds_of([&] { replay_packets(rays, subject.sorted); });
+        case LimitPart::shlm:
+            return trace_seconds(subject.light_map, subject);
+        case LimitPart::photonmap:
+            return trace_seconds(subject.photon_map, subject);
+        case LimitPart::null:
+            break;
+    }
+    common::NullSink sink;
+    return seconds_of([&] { (void)trace_into(sink, subject); });
+}
+
+bool same_run(const common::TraceReport& a, const common::TraceReport& b) {
+    return a.hits == b.hits && a.fates.missed == b.fates.missed && a.fates.escaped == b.fates.escaped &&
+           a.fates.absorbed == b.fates.absorbed && a.fates.given_up == b.fates.given_up;
+}
+
+}  // namespace
+
+void check_answers(const LimitSubject& subject) {
+    for (const auto* blocks : {&subject.run.blocks, &subject.sorted})
+        if (const auto differences = count_differences(subject.loaded.rays, *blocks))
+            throw std::runtime_error(
+                fmt::format("limit: {} of {} rays find another surface in packets than alone", differences,
+                            subject.run.rays));
+    common::NullSink sink;
+    const common::TraceReport traced = trace_into(sink, subject);
+    if (!traced.interrupted && !same_run(traced, subject.run.report))
+        throw std::runtime_error(fmt::format("limit: tracing makes {} hits of {} photons, one by one {}",
+                                             traced.hits, traced.fates.emitted, subject.run.report.hits));
+}
+
+LimitSeconds measure_limit(const LimitSubject& subject, std::size_t repetitions,
+                           const std::function<bool(std::size_t)>& progress) {
+    LimitSeconds seconds;
+    std::size_t done = 0;
+    for (std::size_t repetition = 0; repetition < repetitions; ++repetition)
+        for (std::size_t i = 0; i < seconds.size(); ++i) {
+            const std::size_t part = (i + repetition) % seconds.size();
+            seconds[part].push_back(measure(static_cast<LimitPart>(part), subject));
+            if (!progress(++done)) return seconds;
+        }
+    return seconds;
+}
+
+}  // namespace bench

@@ -24,7 +24,7 @@ class Kill : public Command {
 };
 
 TEST_F(Kill, LeavesAFileThatGoesOnToTheSameMap) {
-    constexpr int kills = 20;
+    const int kills = static_cast<int>(tests::count_for(20, 5));
     constexpr unsigned seed = 1;
     const auto start_of_run = Clock::now();
     expect_success(trace("--checkpoint", "whole.exr", 2));

@@ -2,26 +2,27 @@
 #pragma once
 
 #include "common/point_index/flann_index.h"
+#include "common/point_index/grid_index.h"
 #include "common/point_index/nanoflann_index.h"
 #include "photonmap/packed_storage.h"
 #include "photonmap/photon_map.h"
 
 namespace photonmap {
 
-/// Appends during tracing; when finished sorts the photons along a space-filling curve and builds the index
-/// once over all of them: how photon maps are made today.
-template <common::PointIndex Index>
+/// Appends during tracing and builds its index once over all photons when finished. `Engine` says in what
+/// photons are kept, and how they are indexed.
+template <class Engine>
 class BulkPhotonSink {
   public:
+    using Map = typename Engine::Map;
+
     BulkPhotonSink(const common::Scene& scene, GatherSettings settings)
-        : scene_(&scene), settings_(settings) {}
+        : scene_(&scene), settings_(settings), photons_(Engine::storage(scene)) {}
 
     void consume(std::span<const common::HitBatch> wave) { photons_.append(wave); }
 
-    [[nodiscard]] PhotonMap<Index> finish(float watts_per_flux) && {
-        PhotonStorage sorted = std::move(photons_).sorted_along_curve();
-        Index index(sorted.positions());
-        return {*scene_, {std::move(sorted), std::move(index)}, watts_per_flux, settings_};
+    [[nodiscard]] Map finish(float watts_per_flux) && {
+        return {*scene_, Engine::indexed(std::move(photons_), *scene_, settings_), watts_per_flux, settings_};
     }
 
     [[nodiscard]] const common::RejectedHits& rejected() const { return photons_.rejected(); }
@@ -30,7 +31,52 @@ class BulkPhotonSink {
   private:
     const common::Scene* scene_;
     GatherSettings settings_;
-    PhotonStorage photons_;
+    typename Engine::Storage photons_;
+};
+
+/// A tree over photons sorted along a space-filling curve: how photon maps are made today.
+template <common::PointIndex Index>
+struct TreeOverCurve {
+    using Map = PhotonMap<Index>;
+    using Storage = PhotonStorage;
+
+    [[nodiscard]] static Storage storage(const common::Scene&) { return {}; }
+
+    [[nodiscard]] static typename Map::Stored indexed(Storage&& photons, const common::Scene&,
+                                                      const GatherSettings&) {
+        PhotonStorage sorted = std::move(photons).sorted_along_curve();
+        Index index(sorted.positions());
+        return {std::move(sorted), std::move(index)};
+    }
+};
+
+/// Photons sorted into the cells of a grid made for the largest radius of its gathers.
+struct CellsOfRadius {
+    using Map = PhotonMap<common::GridIndex>;
+    using Storage = PhotonStorage;
+
+    [[nodiscard]] static Storage storage(const common::Scene&) { return {}; }
+
+    [[nodiscard]] static Map::Stored indexed(Storage&& photons, const common::Scene& scene,
+                                             const GatherSettings& settings) {
+        const common::GridCells cells(photons.positions(), largest_radius(settings, scene.diagonal()));
+        PhotonStorage sorted = std::move(photons).in_order(cells.order(photons.positions()));
+        common::GridIndex index(sorted.positions(), cells);
+        return {std::move(sorted), std::move(index)};
+    }
+};
+
+/// Photons packed as they come, under the compact index: the strongest photon map that this suite has.
+struct PackedUnderCompactTree {
+    using Map = PhotonMap<common::CompactIndex, PackedPhotons>;
+    using Storage = PackedPhotonStorage;
+
+    [[nodiscard]] static Storage storage(const common::Scene& scene) { return Storage(scene); }
+
+    [[nodiscard]] static Map::Stored indexed(Storage&& photons, const common::Scene&, const GatherSettings&) {
+        Storage::Indexed indexed = std::move(photons).indexed();
+        return {std::move(indexed.photons), std::move(indexed.index)};
+    }
 };
 
 /// Inserts every photon into the tree as it comes: what the paper measures itself against.
@@ -60,40 +106,19 @@ class IncrementalPhotonSink {
     Index index_;
 };
 
-/// Packs photons as they come and builds the compact index over them when finished: the strongest photon map
-/// that this suite has.
-class CompactPhotonSink {
-  public:
-    using Map = PhotonMap<common::CompactIndex, PackedPhotons>;
-
-    CompactPhotonSink(const common::Scene& scene, GatherSettings settings)
-        : scene_(&scene), settings_(settings), photons_(scene) {}
-
-    void consume(std::span<const common::HitBatch> wave) { photons_.append(wave); }
-
-    [[nodiscard]] Map finish(float watts_per_flux) && {
-        PackedPhotonStorage::Indexed indexed = std::move(photons_).indexed();
-        return {*scene_, {std::move(indexed.photons), std::move(indexed.index)}, watts_per_flux, settings_};
-    }
-
-    [[nodiscard]] const common::RejectedHits& rejected() const { return photons_.rejected(); }
-    [[nodiscard]] std::size_t bytes() const { return photons_.bytes(); }
-
-  private:
-    const common::Scene* scene_;
-    GatherSettings settings_;
-    PackedPhotonStorage photons_;
-};
-
-using FlannPhotonSink = BulkPhotonSink<common::FlannIndex>;
-using NanoflannPhotonSink = BulkPhotonSink<common::NanoflannIndex>;
+using FlannPhotonSink = BulkPhotonSink<TreeOverCurve<common::FlannIndex>>;
+using NanoflannPhotonSink = BulkPhotonSink<TreeOverCurve<common::NanoflannIndex>>;
+using GridPhotonSink = BulkPhotonSink<CellsOfRadius>;
+using CompactPhotonSink = BulkPhotonSink<PackedUnderCompactTree>;
 using FlannIncrementalPhotonSink = IncrementalPhotonSink<common::FlannIncrementalIndex>;
 
 static_assert(common::MapSink<FlannPhotonSink>);
 static_assert(common::MapSink<NanoflannPhotonSink>);
 static_assert(common::MapSink<FlannIncrementalPhotonSink>);
+static_assert(common::MapSink<GridPhotonSink>);
 static_assert(common::MapSink<CompactPhotonSink>);
 static_assert(common::IrradianceEstimator<PhotonMap<common::FlannIndex>>);
+static_assert(common::IrradianceEstimator<GridPhotonSink::Map>);
 static_assert(common::IrradianceEstimator<CompactPhotonSink::Map>);
 
 }  // namespace photonmap

@@ -70,7 +70,7 @@ class Accumulator {
         earlier_clamped_ += clamped;
     }
 
-    /// Of the sums. Each thread works in some 100 KiB beside them, as much as a batch of hits needs.
+    /// Of the sums. Each thread works in some 100 KiB more, as a batch of hits needs them.
     [[nodiscard]] std::size_t bytes() const { return sums_.bytes(); }
 
   private:

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/core/huge_pages.h"
+#include "common/core/prefetch.h"
 #include "shlm/quantum.h"
 
 namespace shlm {
@@ -51,11 +52,7 @@ class TexelSums {
         : quantum_(quantum), quanta_per_flux_(quantum.per_flux()), recent_(texels), drained_(texels) {}
 
     /// Asks for the texel's cache lines ahead of `add`.
-    void prefetch(std::size_t texel) const {
-        const char* address = reinterpret_cast<const char*>(&recent_[texel]);
-        for (std::size_t line = 0; line < sizeof(RecentSum); line += 64)
-            __builtin_prefetch(address + line, 1);
-    }
+    void prefetch(std::size_t texel) const { common::prefetch<common::PrefetchFor::writing>(recent_[texel]); }
 
     /// Adds one hit. `towards_light` is unit, `inverse_cosine` that of incidence, clamped. Throws InputError
     /// where a sum would leave its range.

@@ -9,6 +9,7 @@
 #include "common/core/threads.h"
 #include "common/point_index/compact_build.h"
 #include "common/point_index/nearest_selection.h"
+#include "tests/point_sets.h"
 #include "tests/statistics.h"
 
 namespace {
@@ -19,8 +20,6 @@ using common::NearestSelection;
 using common::NearestSet;
 using common::Neighbour;
 using common::Vec3;
-
-constexpr float no_limit = std::numeric_limits<float>::infinity();
 
 struct Numbered {
     Vec3 position;
@@ -61,16 +60,6 @@ std::vector<Neighbour> expected_nearest(const Built& built, const std::vector<Ve
     }
     std::sort(found.begin(), found.end());
     if (found.size() > k) found.resize(k);
-    return found;
-}
-
-std::vector<Neighbour> nearest_by_set(const CompactIndex& index, const Vec3& query, std::size_t k,
-                                      float radius_sq, const Accept& accept) {
-    std::vector<Neighbour> storage(k);
-    NearestSet set(storage, radius_sq);
-    index.search(query, set, accept);
-    std::vector<Neighbour> found(set.found().begin(), set.found().end());
-    std::sort(found.begin(), found.end());
     return found;
 }
 
@@ -132,7 +121,7 @@ void expect_exact(const std::vector<Vec3>& points, unsigned seed, int queries) {
         const auto expected = expected_nearest(built, points, query, k, radius_sq, accept);
         const auto what = testing::Message() << points.size() << " points, query " << i << ", k " << k
                                              << ", radius " << radius << ", seed " << seed;
-        ASSERT_EQ(nearest_by_set(built.index, query, k, radius_sq, accept), expected) << what;
+        ASSERT_EQ(found_nearest(built.index, query, k, radius_sq, accept), expected) << what;
         ASSERT_EQ(nearest_by_selection(built.index, query, k, radius_sq, accept), expected) << what;
         ASSERT_EQ(all_within(built.index, query, radius_sq, accept),
                   expected_nearest(built, points, query, points.size(), radius_sq, accept))

@@ -4,6 +4,7 @@
 
 #include "common/point_index/flann_index.h"
 #include "common/point_index/point_index.h"
+#include "tests/point_sets.h"
 #include "tests/statistics.h"
 
 namespace {
@@ -15,8 +16,6 @@ using common::FlannIndex;
 using common::NearestSet;
 using common::Neighbour;
 using common::Vec3;
-
-constexpr float no_limit = std::numeric_limits<float>::infinity();
 
 /// Points on the faces of a box, as photons are: many share a coordinate. A tenth lies exactly on another
 /// point.
@@ -43,33 +42,6 @@ Vec3 random_query(const std::vector<Vec3>& points, std::mt19937& engine) {
     return query;
 }
 
-/// What must be found, by sorting all points.
-template <class Accept>
-std::vector<Neighbour> expected_nearest(const std::vector<Vec3>& points, const Vec3& query, std::size_t k,
-                                        float radius_sq, Accept accept) {
-    std::vector<Neighbour> all;
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-        const Vec3 d = query - points[i];
-        const float distance_sq = d.x * d.x + d.y * d.y + d.z * d.z;
-        if (distance_sq < radius_sq && accept(i)) all.push_back({distance_sq, i});
-    }
-    const std::size_t count = std::min(k, all.size());
-    std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count), all.end());
-    all.resize(count);
-    return all;
-}
-
-template <class Index, class Accept>
-std::vector<Neighbour> nearest(const Index& index, const Vec3& query, std::size_t k, float radius_sq,
-                               Accept accept) {
-    std::vector<Neighbour> storage(k);
-    NearestSet set(storage, radius_sq);
-    index.search(query, set, accept);
-    std::vector<Neighbour> found(set.found().begin(), set.found().end());
-    std::sort(found.begin(), found.end());
-    return found;
-}
-
 template <class Index>
 void expect_exact(const Index& index, const std::vector<Vec3>& points, unsigned seed, int queries) {
     std::mt19937 engine(seed);
@@ -81,8 +53,8 @@ void expect_exact(const Index& index, const std::vector<Vec3>& points, unsigned 
         const std::uint32_t left_out =
             engine() % 2 ? 3 : 1'000'000'000;  // every third point, or none but the first
         const auto accept = [&](std::uint32_t p) { return p % left_out != 0; };
-        ASSERT_EQ(nearest(index, query, k, radius * radius, accept),
-                  expected_nearest(points, query, k, radius * radius, accept))
+        ASSERT_EQ(found_nearest(index, query, k, radius * radius, accept),
+                  sorted_nearest(points, query, k, radius * radius, accept))
             << "query " << i << ", k " << k << ", radius " << radius << ", seed " << seed;
     }
 }
@@ -110,8 +82,8 @@ TEST(FlannIndex, TakesAnyNumberOfPoints) {
     for (const std::size_t count : {0, 1, 2, 49, 50, 51}) {
         const auto points = points_on_a_box(count, 7);
         const FlannIndex index(points);
-        EXPECT_EQ(nearest(index, {0, 0, 0}, 50, no_limit, common::accept_all),
-                  expected_nearest(points, {0, 0, 0}, 50, no_limit, common::accept_all))
+        EXPECT_EQ(found_nearest(index, {0, 0, 0}, 50, no_limit, common::accept_all),
+                  sorted_nearest(points, {0, 0, 0}, 50, no_limit, common::accept_all))
             << count << " points";
     }
 }
@@ -119,19 +91,20 @@ TEST(FlannIndex, TakesAnyNumberOfPoints) {
 TEST(FlannIndex, RejectedPointsTakeNobodysPlace) {
     const std::vector<Vec3> points = {{0.1f, 0, 0}, {0.2f, 0, 0}, {0.3f, 0, 0}, {0.4f, 0, 0}};
     const auto found =
-        nearest(FlannIndex(points), {0, 0, 0}, 2, no_limit, [](std::uint32_t i) { return i >= 2; });
+        found_nearest(FlannIndex(points), {0, 0, 0}, 2, no_limit, [](std::uint32_t i) { return i >= 2; });
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[0].index, 2u);
     EXPECT_EQ(found[1].index, 3u);
-    EXPECT_TRUE(
-        nearest(FlannIndex(points), {0, 0, 0}, 2, no_limit, [](std::uint32_t) { return false; }).empty());
+    EXPECT_TRUE(found_nearest(FlannIndex(points), {0, 0, 0}, 2, no_limit, [](std::uint32_t) {
+                    return false;
+                }).empty());
 }
 
 TEST(FlannIndex, TakesCoincidentPointsInTheirOrder) {
     const std::vector<Vec3> points(5000, Vec3(1, 2, 3));
     const FlannIndex index(points);
     for (const Vec3& query : {Vec3(1, 2, 3), Vec3(0, 0, 0)}) {
-        const auto found = nearest(index, query, 10, no_limit, common::accept_all);
+        const auto found = found_nearest(index, query, 10, no_limit, common::accept_all);
         ASSERT_EQ(found.size(), 10u);
         for (std::uint32_t i = 0; i < 10; ++i) EXPECT_EQ(found[i].index, i);
     }
@@ -140,9 +113,9 @@ TEST(FlannIndex, TakesCoincidentPointsInTheirOrder) {
 TEST(FlannIndex, LeavesOutWhatLiesOnTheRadius) {
     const std::vector<Vec3> points = {{0.5f, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}};
     const FlannIndex index(points);
-    EXPECT_EQ(nearest(index, {0, 0, 0}, 10, 1, common::accept_all).size(), 1u) << "strictly inside";
-    EXPECT_EQ(nearest(index, {0, 0, 0}, 10, 1.0001f, common::accept_all).size(), 3u);
-    EXPECT_TRUE(nearest(index, {0, 0, 0}, 10, 0, common::accept_all).empty());
+    EXPECT_EQ(found_nearest(index, {0, 0, 0}, 10, 1, common::accept_all).size(), 1u) << "strictly inside";
+    EXPECT_EQ(found_nearest(index, {0, 0, 0}, 10, 1.0001f, common::accept_all).size(), 3u);
+    EXPECT_TRUE(found_nearest(index, {0, 0, 0}, 10, 0, common::accept_all).empty());
 }
 
 TEST(FlannIndex, CountsItsMemory) {
@@ -165,8 +138,8 @@ TEST(FlannIncrementalIndex, FindsNearlyAll) {
     // Asked on the surfaces that the points lie on, as gathers are; elsewhere it finds fewer.
     const auto queries = points_on_a_box(query_count / 10, 14);
     for (const Vec3& query : queries) {
-        const auto expected = expected_nearest(points, query, 50, no_limit, common::accept_all);
-        const auto actual = nearest(index, query, 50, no_limit, common::accept_all);
+        const auto expected = sorted_nearest(points, query, 50, no_limit, common::accept_all);
+        const auto actual = found_nearest(index, query, 50, no_limit, common::accept_all);
         ASSERT_EQ(actual.size(), 50u);
         wanted += 50;
         for (const Neighbour& neighbour : actual)
@@ -177,12 +150,12 @@ TEST(FlannIncrementalIndex, FindsNearlyAll) {
 
 TEST(FlannIncrementalIndex, TakesAnyNumberOfPoints) {
     const FlannIncrementalIndex empty;
-    EXPECT_TRUE(nearest(empty, {0, 0, 0}, 5, no_limit, common::accept_all).empty());
+    EXPECT_TRUE(found_nearest(empty, {0, 0, 0}, 5, no_limit, common::accept_all).empty());
     const auto points = points_on_a_box(6, 12);
     FlannIncrementalIndex index;
     for (std::size_t i = 0; i < points.size(); ++i) {
         index.add(std::span(points).subspan(i, 1));
-        EXPECT_EQ(nearest(index, {0, 0, 0}, 5, no_limit, common::accept_all).size(),
+        EXPECT_EQ(found_nearest(index, {0, 0, 0}, 5, no_limit, common::accept_all).size(),
                   std::min<std::size_t>(i + 1, 5));
     }
 }
@@ -191,7 +164,7 @@ TEST(FlannIncrementalIndex, SurvivesCoincidentPoints) {
     const std::vector<Vec3> points(1000, Vec3(1, 2, 3));
     FlannIncrementalIndex index;
     for (std::size_t i = 0; i < points.size(); i += 100) index.add(std::span(points).subspan(i, 100));
-    EXPECT_EQ(nearest(index, {0, 0, 0}, 50, no_limit, common::accept_all).size(), 50u);
+    EXPECT_EQ(found_nearest(index, {0, 0, 0}, 50, no_limit, common::accept_all).size(), 50u);
 }
 
 TEST(NearestSet, KeepsTheSmallestOfWhatItIsOffered) {

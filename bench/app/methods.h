@@ -6,7 +6,6 @@
 
 #include "bench/app/method.h"
 #include "bench/app/scene_options.h"
-#include "photonmap/grid_photon_sink.h"
 #include "photonmap/photon_sinks.h"
 #include "shlm/sink.h"
 

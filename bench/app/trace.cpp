@@ -11,12 +11,12 @@
 #include "bench/app/memory_need.h"
 #include "bench/app/method_options.h"
 #include "bench/app/run_options.h"
-#include "bench/app/stopwatch.h"
 #include "bench/app/warnings.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/memory_use.h"
 #include "common/core/progress.h"
+#include "common/core/stopwatch.h"
 #include "common/core/threads.h"
 #include "shlm/checkpoint.h"
 
@@ -97,7 +97,7 @@ class MapTrace {
         const std::uint64_t before = done(run_.report()), total = target.hits ? target.hits : target.photons;
         common::Progress progress("tracing", target.hits ? "hits" : "photons",
                                   total - std::min(total, before));
-        Stopwatch since_checkpoint;
+        common::Stopwatch since_checkpoint;
         const common::TraceReport report = common::trace_photons(
             loaded.rays, source, run_.identity.seed, target, sink_,
             [&](const common::TraceReport& so_far) {
@@ -105,7 +105,7 @@ class MapTrace {
                 if (!plan_.checkpoint.empty() &&
                     since_checkpoint.seconds() >= plan_.seconds_between_checkpoints) {
                     write(so_far);
-                    since_checkpoint = Stopwatch();
+                    since_checkpoint = common::Stopwatch();
                 }
                 return !common::interrupted();
             },
@@ -132,7 +132,7 @@ class MapTrace {
     }
 
     void write(const common::TraceReport& so_far) {
-        const Stopwatch watch;
+        const common::Stopwatch watch;
         shlm::MapRun run = run_;
         run.fates = so_far.fates;
         run.hits = so_far.hits;
@@ -215,7 +215,7 @@ void run(const TraceOptions& options) {
             if (!options.resume.empty() && traced.run().program != build_commit)
                 print_warning(loaded, fmt::format("{} was written by version {}, this is {}", options.resume,
                                                   traced.run().program, build_commit));
-            const Stopwatch watch;
+            const common::Stopwatch watch;
             const common::TraceReport report = traced.trace(loaded, source);
             if (report.interrupted) end_interrupted(plan, report);
             const Json all = summary(plan, loaded, traced, report, watch.seconds());

@@ -4,8 +4,8 @@
 
 #include <new>
 
-#include "bench/app/stopwatch.h"
 #include "common/core/memory_use.h"
+#include "common/core/stopwatch.h"
 #include "common/tracer/null_sink.h"
 
 namespace bench {
@@ -48,7 +48,7 @@ void measure(Sink sink, const Workload& w, Measurement& m) {
     m.rejected = sink.rejected();
     m.insert_bytes = sink.bytes();
 
-    const Stopwatch build;
+    const common::Stopwatch build;
     const auto map = common::finish_map(std::move(sink), m.trace);
     m.build_seconds = build.seconds();
     m.bytes = map.bytes();
@@ -58,10 +58,10 @@ void measure(Sink sink, const Workload& w, Measurement& m) {
         return;
     }
 
-    const Stopwatch gather;
+    const common::Stopwatch gather;
     const double sum = gather_all(map, w.queries.image_order);
     m.gather_seconds = gather.seconds();
-    const Stopwatch gather_shuffled;
+    const common::Stopwatch gather_shuffled;
     const double shuffled_sum = gather_all(map, w.queries.shuffled);
     m.gather_shuffled_seconds = gather_shuffled.seconds();
     m.mean_irradiance = (sum + shuffled_sum) / (6.0 * static_cast<double>(w.queries.image_order.size()));
@@ -76,7 +76,7 @@ Measurement measure_method(const Method& method, PreparedMethods& prepared, cons
     m.peak_is_of_this_run = common::reset_peak_resident_bytes();
     m.resident_before_bytes = common::resident_bytes();
     try {
-        const Stopwatch making_room;
+        const common::Stopwatch making_room;
         with_sink(method, prepared, workload.source, [&](auto sink) {
             m.making_room_seconds = making_room.seconds();
             measure(std::move(sink), workload, m);

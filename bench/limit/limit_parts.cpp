@@ -4,9 +4,9 @@
 
 #include <stdexcept>
 
-#include "bench/app/stopwatch.h"
 #include "bench/limit/replay.h"
 #include "common/core/interrupt.h"
+#include "common/core/stopwatch.h"
 #include "common/tracer/null_sink.h"
 #include "common/tracer/trace_photons.h"
 
@@ -23,7 +23,7 @@ common::TraceReport trace_into(Sink& sink, const LimitSubject& subject) {
 
 template <class Work>
 double seconds_of(const Work& work) {
-    const Stopwatch watch;
+    const common::Stopwatch watch;
     work();
     return watch.seconds();
 }

@@ -32,7 +32,7 @@ PhotonFate follow(const common::RayScene& rays, const common::PhotonSource& sour
         const auto u = random_uniforms(seed, photon, event, common::RandomPurpose::scattering);
         const auto scattered = common::scatter(rays.scene(), *met, direction, flux, u);
         if (!scattered) return PhotonFate::absorbed;
-        const Vec3 position = surface.corner + surface.edge_u * met->u + surface.edge_v * met->v;
+        const Vec3 position = surface.position(met->u, met->v);
         origin = rays.off_surface(position, scattered->normal);
         direction = scattered->direction;
         flux = scattered->flux;

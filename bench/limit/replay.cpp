@@ -29,7 +29,7 @@ void for_each_block(std::span<const RayBlock> blocks, const Work& work) {
 }
 
 SurfaceId nearest_alone(const common::RayScene& rays, const RayBlock& block, std::size_t i) {
-    return rays.nearest(block.origin[i], block.direction[i]).value_or(SurfaceId{common::no_triangle, 0, 0});
+    return rays.nearest(block.origin[i], block.direction[i]).value_or(common::no_surface);
 }
 
 /// Where nothing is found, u and v mean nothing.
@@ -44,12 +44,7 @@ bool same(const SurfaceId& a, const SurfaceId& b) {
 void replay_single(const common::RayScene& rays, std::span<const RayBlock> blocks) {
     for_each_block(blocks, [&](const RayBlock& block, NearestSurfaces& found) {
         found.resize(block.size());
-        for (std::size_t i = 0; i < block.size(); ++i) {
-            const SurfaceId met = nearest_alone(rays, block, i);
-            found.triangle[i] = met.triangle;
-            found.u[i] = met.u;
-            found.v[i] = met.v;
-        }
+        for (std::size_t i = 0; i < block.size(); ++i) found.set(i, nearest_alone(rays, block, i));
     });
 }
 

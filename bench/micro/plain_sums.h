@@ -1,6 +1,7 @@
 // The number formats that shlm::TexelSums is measured against, with its interface.
 #pragma once
 
+#include "common/core/prefetch.h"
 #include "shlm/texel_sums.h"
 
 namespace bench {
@@ -12,10 +13,7 @@ class PlainSums {
     PlainSums(std::size_t texels, const shlm::Quantum& quantum)
         : quantum_(quantum), quanta_per_flux_(quantum.per_flux()), sums_(texels) {}
 
-    void prefetch(std::size_t texel) const {
-        const char* address = reinterpret_cast<const char*>(&sums_[texel]);
-        for (std::size_t line = 0; line < sizeof(Sum); line += 64) __builtin_prefetch(address + line, 1);
-    }
+    void prefetch(std::size_t texel) const { common::prefetch<common::PrefetchFor::writing>(sums_[texel]); }
 
     void add(std::size_t texel, const common::Vec3& towards_light, float inverse_cosine,
              const common::Rgb& flux) {
@@ -56,11 +54,7 @@ class FloatsDrainedIntoDoubles {
   public:
     FloatsDrainedIntoDoubles(std::size_t texels, const shlm::Quantum&) : recent_(texels), drained_(texels) {}
 
-    void prefetch(std::size_t texel) const {
-        const char* address = reinterpret_cast<const char*>(&recent_[texel]);
-        for (std::size_t line = 0; line < sizeof(RecentSum); line += 64)
-            __builtin_prefetch(address + line, 1);
-    }
+    void prefetch(std::size_t texel) const { common::prefetch<common::PrefetchFor::writing>(recent_[texel]); }
 
     void add(std::size_t texel, const common::Vec3& towards_light, float inverse_cosine,
              const common::Rgb& flux) {

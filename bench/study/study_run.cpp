@@ -130,7 +130,7 @@ StudyRun run_study(const StudyPlan& plan, StudyScene& scene, const std::vector<M
         store.finish(facts.trace, [&](const StudyMap& map) {
             if (common::interrupted()) return;
             Json row = row_of(facts, map, plan.settings, insert_seconds);
-            const Stopwatch gather;
+            const common::Stopwatch gather;
             const std::vector<common::Rgb> answers = ask(map, scene.points());
             row["gather_seconds"] = gather.seconds();
 

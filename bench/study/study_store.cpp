@@ -17,7 +17,7 @@ template <class Model>
 void finish_store(shlm::Sink<Model>& sink, const std::vector<Method>& methods, const PreparedMethods&,
                   const common::TraceReport& trace, const UseMap& use) {
     for (const Method& method : methods) {
-        const Stopwatch build;
+        const common::Stopwatch build;
         const auto map = sink.finish(trace.watts_per_flux(), method.light_map()->gather);
         StudyMap result = study_map(method, map, build.seconds());
         result.insert_bytes = sink.bytes();
@@ -33,7 +33,7 @@ void finish_store(Sink& sink, const std::vector<Method>& methods, const Prepared
                   const common::TraceReport& trace, const UseMap& use) {
     const std::uint64_t rejected = sink.rejected().total();
     const std::size_t insert_bytes = sink.bytes();
-    const Stopwatch build;
+    const common::Stopwatch build;
     const auto photons = common::finish_map(std::move(sink), trace);
     const double build_seconds = build.seconds();
     for (const Method& method : methods) {
@@ -51,7 +51,7 @@ StudyStore::StudyStore(std::vector<Method> methods, PreparedMethods& prepared,
                        const common::PhotonSource& source) {
     const Method first = methods.front();
     if (first.light_map()) (void)prepared.texels_of(*first.light_map());  // the scene's, not the run's
-    const Stopwatch making_room;
+    const common::Stopwatch making_room;
     with_sink(first, prepared, source, [&](auto made) {
         using Sink = decltype(made);
         insert_seconds_ = making_room.seconds();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/app/methods.h"
-#include "bench/app/stopwatch.h"
+#include "common/core/stopwatch.h"
 #include "common/tracer/trace_photons.h"
 
 namespace bench {
@@ -31,7 +31,7 @@ class StudyStore {
     StudyStore(std::vector<Method> methods, PreparedMethods& prepared, const common::PhotonSource& source);
 
     void consume(std::span<const common::HitBatch> wave) {
-        const Stopwatch watch;
+        const common::Stopwatch watch;
         consume_(wave);
         insert_seconds_ += watch.seconds();
     }

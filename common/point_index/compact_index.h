@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 
+#include "common/core/prefetch.h"
 #include "common/core/vector.h"
 #include "common/point_index/compact_tree.h"
 #include "common/point_index/point_index.h"
@@ -107,15 +108,10 @@ class CompactIndex {
 
     /// Most of a search in a large map is waiting for memory.
     void prefetch(std::uint32_t where) const {
-        constexpr std::size_t line = 64;
-        const auto fetch = [](const auto& object) {
-            for (std::size_t at = 0; at < sizeof object; at += line)
-                __builtin_prefetch(reinterpret_cast<const char*>(&object) + at);
-        };
         if (where & is_leaf)
-            fetch(tree_.leaves[where & ~is_leaf]);
+            common::prefetch<PrefetchFor::reading>(tree_.leaves[where & ~is_leaf]);
         else
-            fetch(tree_.nodes[where]);
+            common::prefetch<PrefetchFor::reading>(tree_.nodes[where]);
     }
 
     CompactTree tree_;

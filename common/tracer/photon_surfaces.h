@@ -3,7 +3,6 @@
 
 #include <cstdint>
 
-
 #include "common/core/huge_pages.h"
 #include "common/scene/scene.h"
 
@@ -22,6 +21,8 @@ struct alignas(64) PhotonSurface {
     Vec3 normal;                  ///< unit, geometric, front
     Rgb base_color;               ///< of the diffuse kind
     Kind kind;
+
+    [[nodiscard]] Vec3 position(float u, float v) const { return corner + edge_u * u + edge_v * v; }
 };
 
 /// How a textured triangle's base color is found.

@@ -144,10 +144,7 @@ void RayScene::settle_ties(const Vec3Array& origin, const Vec3Array& direction,
     for (std::size_t i = 0; i < found.u.size(); ++i) {
         const float nearest_edge = std::min({found.u[i], found.v[i], 1 - found.u[i] - found.v[i]});
         if (nearest_edge > edge || found.triangle[i] == no_triangle) continue;
-        const SurfaceId alone = nearest(origin[i], direction[i]).value_or(SurfaceId{no_triangle, 0, 0});
-        found.triangle[i] = alone.triangle;
-        found.u[i] = alone.u;
-        found.v[i] = alone.v;
+        found.set(i, nearest(origin[i], direction[i]).value_or(no_surface));
     }
 }
 

@@ -14,6 +14,7 @@ struct RTCSceneTy;
 namespace common {
 
 inline constexpr std::uint32_t no_triangle = 0xffffffff;
+inline constexpr SurfaceId no_surface{no_triangle, 0, 0};
 
 /// What rays have hit, one entry a ray: SurfaceId's fields, or no_triangle.
 struct NearestSurfaces {
@@ -21,6 +22,12 @@ struct NearestSurfaces {
     std::vector<float> u, v;
 
     [[nodiscard]] SurfaceId operator[](std::size_t i) const { return {triangle[i], u[i], v[i]}; }
+
+    void set(std::size_t i, const SurfaceId& surface) {
+        triangle[i] = surface.triangle;
+        u[i] = surface.u;
+        v[i] = surface.v;
+    }
 
     /// What is new has no defined value.
     void resize(std::size_t rays) {

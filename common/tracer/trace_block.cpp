@@ -73,9 +73,7 @@ void BlockTracer::drop_escaped(std::uint32_t event, TracedBlock& traced) {
         photons_.origin.set(kept, photons_.origin[i]);
         photons_.direction.set(kept, photons_.direction[i]);
         photons_.flux.set(kept, photons_.flux[i]);
-        met_.triangle[kept] = met_.triangle[i];
-        met_.u[kept] = met_.u[i];
-        met_.v[kept] = met_.v[i];
+        met_.set(kept, met_[i]);
         ++kept;
     }
     photons_.resize(kept);
@@ -95,7 +93,7 @@ void BlockTracer::find_arrivals() {
         if (i + prefetch_distance < count)
             __builtin_prefetch(&surfaces[met_.triangle[i + prefetch_distance]]);
         const PhotonSurface& surface = surfaces[met_.triangle[i]];
-        position_.set(i, surface.corner + surface.edge_u * met_.u[i] + surface.edge_v * met_.v[i]);
+        position_.set(i, surface.position(met_.u[i], met_.v[i]));
         const bool front = photons_.direction[i].dot(surface.normal) < 0;
         normal_.set(i, front ? surface.normal : -surface.normal);
         base_color_.set(i, surface.base_color);

@@ -1,9 +1,6 @@
 // Photon tracing: blocks of photons in parallel, their hits to a sink.
 #pragma once
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <functional>
 
 #include "common/tracer/trace_block.h"

@@ -4,8 +4,9 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
-#include <chrono>
+#include <utility>
 
+#include "common/core/stopwatch.h"
 #include "common/tracer/trace_report.h"
 
 namespace common {
@@ -29,18 +30,6 @@ inline constexpr std::size_t max_blocks_per_thread = 32;
 /// adds them to the report.
 void take_photons(TracedBlock& block, const TraceTarget& target, TraceReport& report);
 
-class Stopclock {
-  public:
-    /// Seconds since the last call, or since it was made.
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
 /// Traces a wave whole, then gives it to the sink as one, cut where the target is reached.
 class OrderedWaves {
   public:
@@ -49,7 +38,7 @@ class OrderedWaves {
 
     template <PhotonSink Sink>
     void trace(const TraceTarget& target, Sink& sink, TraceReport& report) {
-        Stopclock clock;
+        Stopwatch clock;
         const std::size_t blocks = blocks_in_next_wave(report, target);
         const std::uint64_t first_block = target.next_photon(report) / photons_per_block;
         if (blocks_.size() < blocks) blocks_.resize(blocks);
@@ -81,7 +70,7 @@ class UnorderedWaves {
     /// `blocks` must begin at a block's first photon and not reach the target.
     template <UnorderedSink Sink>
     void trace(std::size_t blocks, const TraceTarget& target, Sink& sink, TraceReport& report) {
-        Stopclock clock;
+        Stopwatch clock;
         const std::uint64_t first_block = target.next_photon(report) / photons_per_block;
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1),
                           [&](const tbb::blocked_range<std::size_t>& range) {
@@ -108,7 +97,7 @@ class UnorderedWaves {
 
         template <UnorderedSink Sink>
         void trace(std::uint64_t block, Sink& sink) {
-            Stopclock clock;
+            Stopwatch clock;
             tracer_.trace(block, traced_);
             done_.fates.add(traced_.fate);
             done_.hits += traced_.hits.size();

@@ -93,8 +93,7 @@ struct PackedLight {
 };
 
 /// The normal of its surface on the side it arrived at decides only whether a photon counts: 16 bits, within
-/// a degree. Facets that meet at 60 degrees exactly, where float rounding decides already, may be told apart
-/// otherwise than by the unrounded normal.
+/// a degree.
 using PackedNormal = Octahedral<8>;
 
 /// As it is stored while photons are traced: nothing is added later but the boxes of the index.

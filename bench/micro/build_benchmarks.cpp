@@ -26,6 +26,20 @@ void build_photon_map(benchmark::State& state, SharedInputs& inputs, std::uint64
                             static_cast<std::int64_t>(inputs.recording(hits).report.hits));
 }
 
+/// FLANN's own index alone, over photons in the order of tracing: the usual way to use it, without the
+/// sorting that makes both its build and its search faster. Items: hits.
+void build_flann_unsorted(benchmark::State& state, SharedInputs& inputs, std::uint64_t hits) {
+    std::vector<common::Vec3> positions;
+    for (const auto& wave : inputs.recording(hits).waves)
+        for (const common::HitBatch& batch : wave)
+            for (std::size_t i = 0; i < batch.size(); ++i) positions.push_back(batch.position[i]);
+    for (auto _ : state) {
+        const common::FlannIndex index(positions);
+        benchmark::DoNotOptimize(index.bytes());
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(positions.size()));
+}
+
 /// The finished light map from its sums. Items: texels.
 void build_light_map(benchmark::State& state, SharedInputs& inputs, std::size_t texels) {
     constexpr std::uint64_t hits = 100'000;
@@ -58,6 +72,10 @@ void register_photon_map(SharedInputs& inputs, const char* engine,
 
 void register_build_benchmarks(SharedInputs& inputs) {
     register_photon_map<photonmap::FlannPhotonSink>(inputs, "flann");
+    for (const std::uint64_t hits : {1'000'000u, 10'000'000u})
+        benchmark::RegisterBenchmark(
+            fmt::format("build/flann-unsorted/hits:{}", hits).c_str(),
+            [&inputs, hits](benchmark::State& s) { build_flann_unsorted(s, inputs, hits); });
     register_photon_map<photonmap::NanoflannPhotonSink>(inputs, "nanoflann");
     register_photon_map<photonmap::CompactPhotonSink>(inputs, "compact");
     register_photon_map<photonmap::GridPhotonSink>(inputs, "grid", {photonmap::FixedRadius{0.003}});

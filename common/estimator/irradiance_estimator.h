@@ -43,8 +43,9 @@ struct RejectedHits {
 /// others and darkens uniform light by half its value.
 inline constexpr float min_incident_cosine = 1e-3f;
 
-/// Two places belong to the same surface, for a gather, if their normals are within 60 degrees: photons or
-/// texels round a corner, or on the other side of a wall, do not count.
-inline constexpr float same_surface_cosine = 0.5f;
+/// Two places belong to the same surface, for a gather, if their normals are within 65 degrees: photons or
+/// texels round a corner, or on the other side of a wall, do not count. Facets of simple shapes meet at 60 or
+/// 72 degrees, not near 65, so that rounding a normal does not decide.
+inline constexpr float same_surface_cosine = 0.4226183f;
 
 }  // namespace common

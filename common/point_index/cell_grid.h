@@ -27,12 +27,11 @@ class CellGrid {
     [[nodiscard]] std::size_t cells() const { return std::size_t{1} << (4 * levels_); }
 
     [[nodiscard]] std::uint32_t cell_of(const Vec3& point) const {
-        // Four bits, two zeros after each.
-        static constexpr std::array<std::uint16_t, 16> spread_bits = {0,   1,   8,   9,   64,  65,  72,  73,
-                                                                      512, 513, 520, 521, 576, 577, 584, 585};
-        const auto spread = [](float at) -> std::uint32_t {
-            return spread_bits[static_cast<std::size_t>(
-                static_cast<int>(std::min(15.0f, std::max(0.0f, at))))];
+        // Four bits, two zeros between.
+        const auto spread = [](float at) {
+            auto bits = static_cast<std::uint32_t>(static_cast<int>(std::min(15.0f, std::max(0.0f, at))));
+            bits = (bits | bits << 4) & 0xc3;
+            return (bits | bits << 2) & 0x249;
         };
         const Vec3 at = (point - low_) * cells_per_unit_;
         return (spread(at.x) << 2 | spread(at.y) << 1 | spread(at.z)) >> (4 * (max_levels - levels_));
@@ -70,7 +69,7 @@ Imath::Box3f bounds_of(std::span<const Record> records) {
 }
 
 /// A counting sort out of place. The new array is filled from the old one's front to back, and what has been
-/// read is given back, so that the two together hardly take more than one of them.
+/// read is given back, so that the two together hardly take more than one of them and two bytes a record.
 template <class Record>
 CellSorted<Record> sort_into_cells(StableArray<Record>&& unsorted) {
     constexpr std::size_t block = 1 << 15;  // records that one task counts and moves
@@ -81,28 +80,30 @@ CellSorted<Record> sort_into_cells(StableArray<Record>&& unsorted) {
     const std::size_t count = from.size(), blocks = (count + block - 1) / block;
     const CellGrid grid(bounds_of(from.span()), count);
     const std::size_t cells = grid.cells();
-    std::vector<std::uint16_t> cell_of(std::min(count, block * blocks_per_chunk));
-    std::vector<std::uint32_t> counts(blocks_per_chunk * cells);
+    const auto end_of = [&](std::size_t b) { return std::min(count, (b + 1) * block); };
 
-    // How many each cell has: of each block apart, to add up in a fixed order.
-    std::vector<std::size_t> begin(cells + 1, 0);
-    const auto count_block = [&](std::size_t b, std::size_t in_chunk, auto note) {
-        std::uint32_t* const counted = &counts[in_chunk * cells];
-        std::fill_n(counted, cells, 0u);
-        for (std::size_t i = b * block; i < std::min(count, (b + 1) * block); ++i) {
-            const std::uint32_t cell = grid.cell_of(from[i].position);
-            ++counted[cell];
-            note(i, cell);
-        }
-    };
-    for (std::size_t chunk = 0; chunk < blocks; chunk += blocks_per_chunk) {
-        const std::size_t in_chunk = std::min(blocks_per_chunk, blocks - chunk);
+    StableArray<std::uint16_t> cell_of(count);
+    const std::span<std::uint16_t> cell = cell_of.grow(count);
+    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+        for (std::size_t i = b * block; i < end_of(b); ++i)
+            cell[i] = static_cast<std::uint16_t>(grid.cell_of(from[i].position));
+    });
+
+    // How many each cell has, of each block apart: added up in a fixed order.
+    std::vector<std::uint32_t> counts(blocks_per_chunk * cells);
+    const auto count_chunk = [&](std::size_t chunk, std::size_t in_chunk, auto add) {
         tbb::parallel_for(std::size_t{0}, in_chunk, [&](std::size_t b) {
-            count_block(chunk + b, b, [](std::size_t, std::uint32_t) {});
+            std::uint32_t* const counted = &counts[b * cells];
+            std::fill_n(counted, cells, 0u);
+            for (std::size_t i = (chunk + b) * block; i < end_of(chunk + b); ++i) ++counted[cell[i]];
         });
         for (std::size_t b = 0; b < in_chunk; ++b)
-            for (std::size_t c = 0; c < cells; ++c) begin[c + 1] += counts[b * cells + c];
-    }
+            for (std::size_t c = 0; c < cells; ++c) add(b, c, counts[b * cells + c]);
+    };
+    std::vector<std::size_t> begin(cells + 1, 0);
+    for (std::size_t chunk = 0; chunk < blocks; chunk += blocks_per_chunk)
+        count_chunk(chunk, std::min(blocks_per_chunk, blocks - chunk),
+                    [&](std::size_t, std::size_t c, std::uint32_t counted) { begin[c + 1] += counted; });
     for (std::size_t c = 0; c < cells; ++c) begin[c + 1] += begin[c];
 
     CellSorted<Record> sorted{grid, StableArray<Record>(count, StableArray<Record>::Pages::small), begin};
@@ -110,23 +111,16 @@ CellSorted<Record> sort_into_cells(StableArray<Record>&& unsorted) {
     std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
     std::vector<std::size_t> first(blocks_per_chunk * cells);
     for (std::size_t chunk = 0; chunk < blocks; chunk += blocks_per_chunk) {
-        const std::size_t in_chunk = std::min(blocks_per_chunk, blocks - chunk), base = chunk * block;
-        tbb::parallel_for(std::size_t{0}, in_chunk, [&](std::size_t b) {
-            count_block(chunk + b, b, [&](std::size_t i, std::uint32_t cell) {
-                cell_of[i - base] = static_cast<std::uint16_t>(cell);
-            });
+        const std::size_t in_chunk = std::min(blocks_per_chunk, blocks - chunk);
+        count_chunk(chunk, in_chunk, [&](std::size_t b, std::size_t c, std::uint32_t counted) {
+            first[b * cells + c] = next[c];
+            next[c] += counted;
         });
-        for (std::size_t b = 0; b < in_chunk; ++b)
-            for (std::size_t c = 0; c < cells; ++c) {
-                first[b * cells + c] = next[c];
-                next[c] += counts[b * cells + c];
-            }
         tbb::parallel_for(std::size_t{0}, in_chunk, [&](std::size_t b) {
             std::size_t* const at = &first[b * cells];
-            const std::size_t end = std::min(count, (chunk + b + 1) * block);
-            for (std::size_t i = (chunk + b) * block; i < end; ++i) to[at[cell_of[i - base]]++] = from[i];
+            for (std::size_t i = (chunk + b) * block; i < end_of(chunk + b); ++i) to[at[cell[i]]++] = from[i];
         });
-        from.release(0, std::min(count, (chunk + in_chunk) * block), large_page);
+        from.release(0, end_of(chunk + in_chunk - 1), large_page);
     }
     return sorted;
 }

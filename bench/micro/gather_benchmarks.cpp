@@ -1,9 +1,12 @@
-// Irradiance from finished maps at the points that the camera sees, on one thread. Items: points.
+// Irradiance from finished maps at the points that the camera sees, on one thread where no number of threads
+// is named. Items: points.
 #include <benchmark/benchmark.h>
+#include <oneapi/tbb/parallel_reduce.h>
 
 #include <optional>
 
 #include "bench/micro/subjects.h"
+#include "common/core/threads.h"
 
 namespace bench {
 namespace {
@@ -12,13 +15,18 @@ constexpr std::uint64_t default_hits = 1'000'000;
 using shlm::default_texels;
 
 template <common::IrradianceEstimator Map>
-double mean_irradiance(const Map& map, std::span<const common::SurfacePoint> points) {
+double sum_of_irradiance(const Map& map, std::span<const common::SurfacePoint> points) {
     double sum = 0;
     for (const common::SurfacePoint& point : points) {
         const common::Rgb irradiance = map.irradiance(point);
         sum += double{irradiance.x} + irradiance.y + irradiance.z;
     }
-    return sum / (3.0 * static_cast<double>(points.size()));
+    return sum;
+}
+
+template <common::IrradianceEstimator Map>
+double mean_irradiance(const Map& map, std::span<const common::SurfacePoint> points) {
+    return sum_of_irradiance(map, points) / (3.0 * static_cast<double>(points.size()));
 }
 
 template <class Sink = photonmap::FlannPhotonSink>
@@ -71,6 +79,36 @@ void gather(benchmark::State& state, const Map& map, std::span<const common::Sur
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }
 
+/// The same in parallel, in pieces of 64 points.
+template <common::IrradianceEstimator Map>
+void gather_in_parallel(benchmark::State& state, const Map& map, std::span<const common::SurfacePoint> points,
+                        int threads) {
+    common::ThreadPool pool(threads);
+    for (auto _ : state) {
+        double sum = pool.run([&] {
+            return tbb::parallel_reduce(
+                tbb::blocked_range<std::size_t>(0, points.size(), 64), 0.0,
+                [&](const tbb::blocked_range<std::size_t>& range, double so_far) {
+                    return so_far + sum_of_irradiance(map, points.subspan(range.begin(), range.size()));
+                },
+                std::plus<>());
+        });
+        benchmark::DoNotOptimize(sum);
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+}
+
+template <class Map>
+void register_gather_in_parallel(SharedInputs& inputs, const std::string& name, Map map) {
+    const QueryPoints& queries = inputs.queries();
+    for (const int threads : {1, 2})
+        benchmark::RegisterBenchmark(fmt::format("{}/threads:{}", name, threads).c_str(),
+                                     [&queries, map, threads](benchmark::State& s) {
+                                         gather_in_parallel(s, (*map)(), queries.image_order, threads);
+                                     })
+            ->UseRealTime();
+}
+
 /// `map` and `expected` are lazy.
 template <class Map, class Expected>
 void register_gather(SharedInputs& inputs, const std::string& name, Map map, Expected expected) {
@@ -114,6 +152,11 @@ void register_gather_benchmarks(SharedInputs& inputs) {
                         lazy([&inputs, hits, radius] { return photon_map(inputs, hits, radius); }),
                         of_light_map);
     }
+    register_gather_in_parallel(
+        inputs, fmt::format("gather/photonmap-compact/hits:{}", default_hits),
+        lazy([&inputs] { return photon_map<photonmap::CompactPhotonSink>(inputs, default_hits); }));
+    register_gather_in_parallel(inputs, fmt::format("gather/shlm/texels:{}", default_texels),
+                                lazy([&inputs] { return light_map(inputs, default_texels); }));
     for (const std::size_t texels : {4'096ul, 65'536ul, default_texels, 1'048'576ul})
         register_gather(inputs, fmt::format("gather/shlm/texels:{}", texels),
                         lazy([&inputs, texels] { return light_map(inputs, texels); }), of_photon_map);

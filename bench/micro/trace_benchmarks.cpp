@@ -1,4 +1,4 @@
-// Tracing without a store. Items: hits.
+// Tracing without a store, and into a light map. Items: hits.
 #include <benchmark/benchmark.h>
 
 #include "bench/micro/subjects.h"
@@ -8,12 +8,12 @@
 namespace bench {
 namespace {
 
-void trace(benchmark::State& state, const SharedInputs& inputs, std::uint64_t hits, int threads) {
+template <common::PhotonSink Sink>
+void trace(benchmark::State& state, const SharedInputs& inputs, std::uint64_t hits, int threads, Sink sink) {
     common::ThreadPool pool(threads);
     std::uint64_t traced = 0;
     for (auto _ : state)
         pool.run([&] {
-            common::NullSink sink;
             traced +=
                 common::trace_photons(inputs.loaded().rays, inputs.source(), micro_seed, {.hits = hits}, sink)
                     .hits;
@@ -28,9 +28,17 @@ void register_trace_benchmarks(SharedInputs& inputs) {
         for (const int threads : {1, 2}) {
             const std::string name = fmt::format("trace/null_sink/hits:{}/threads:{}", hits, threads);
             benchmark::RegisterBenchmark(name.c_str(), [&inputs, hits, threads](benchmark::State& s) {
-                trace(s, inputs, hits, threads);
+                trace(s, inputs, hits, threads, common::NullSink());
             })->UseRealTime();
         }
+    for (const int threads : {1, 2}) {
+        const std::string name = fmt::format("trace/shlm/hits:{}/threads:{}", 4'000'000u, threads);
+        benchmark::RegisterBenchmark(name.c_str(), [&inputs, threads](benchmark::State& s) {
+            trace(s, inputs, 4'000'000, threads,
+                  shlm::Accumulator<shlm::PaperModel>(inputs.methods(shlm::default_texels).texels().layout,
+                                                      inputs.quantum()));
+        })->UseRealTime();
+    }
 }
 
 }  // namespace bench

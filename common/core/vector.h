@@ -30,10 +30,11 @@ inline bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// `a + u (b - a) + v (c - a)`: the value at barycentric coordinates (u, v), as Embree defines them.
+/// The value at barycentric coordinates (u, v), as Embree defines them. Rounded as the tracer's edges are
+/// (PhotonSurface): a color that differs in its last bit can end a photon's path elsewhere.
 template <class T>
 T interpolate(const T& a, const T& b, const T& c, float u, float v) {
-    return a * (1.0f - u - v) + b * u + c * v;
+    return a + (b - a) * u + (c - a) * v;
 }
 
 }  // namespace common

@@ -11,6 +11,7 @@
 #include "bench/bases/bases.h"
 #include "bench/compare/compare.h"
 #include "bench/limit/limit.h"
+#include "bench/stability/stability.h"
 #include "bench/study/study.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
@@ -35,6 +36,7 @@ int run(int argc, char** argv) {
     bench::add_diff_command(app);
     bench::add_bases_command(app);
     bench::add_limit_command(app);
+    bench::add_stability_command(app);
     try {
         app.parse(argc, argv);
         return 0;

@@ -1,0 +1,142 @@
+#include "bench/stability/stability.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/app/earlier_rows.h"
+#include "bench/app/ending.h"
+#include "bench/app/output_folder.h"
+#include "bench/app/provenance.h"
+#include "bench/app/python.h"
+#include "bench/app/run_options.h"
+#include "bench/stability/stability_table.h"
+#include "bench/stability/verdict.h"
+#include "common/core/input_error.h"
+#include "common/core/interrupt.h"
+#include "common/core/progress.h"
+#include "common/core/stopwatch.h"
+#include "common/core/threads.h"
+
+namespace bench {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct StabilityOptions {
+    std::vector<std::string> names;
+    std::string out = "results/latest/stability";
+    bool list = false;
+    bool quick = false;
+    int threads = 0;
+};
+
+/// All of them where none is named, each once. Throws InputError for a name that is none.
+std::vector<const StabilityCase*> chosen_cases(const std::vector<std::string>& names) {
+    const std::vector<const StabilityCase*> all = stability_cases();
+    if (names.empty()) return all;
+    std::vector<const StabilityCase*> chosen;
+    for (const StabilityCase* one : all)
+        if (std::find(names.begin(), names.end(), one->name) != names.end()) chosen.push_back(one);
+    for (const std::string& name : names)
+        if (std::none_of(all.begin(), all.end(), [&](const auto* one) { return one->name == name; }))
+            throw common::InputError(fmt::format("CASE: there is no case '{}'; --list names them", name));
+    return chosen;
+}
+
+/// The finished cases, in a file that is whole at any time.
+class StabilityTable {
+  public:
+    StabilityTable(const fs::path& folder, bool full, int threads) : folder_(folder) {
+        Json context = provenance();
+        context["form"] = full ? "full" : "short";
+        context["threads"] = threads;
+        const EarlierRows earlier = read_earlier_rows(folder / "stability.json", context);
+        document_ = {{"context", context}, {"rows", Json::array()}};
+        if (earlier.found && earlier.same_context) document_["rows"] = earlier.document["rows"];
+    }
+
+    /// In place of an earlier row of the same case.
+    void add(const Json& row) {
+        Json rows = Json::array();
+        for (const StabilityCase* one : stability_cases()) {
+            if (one->name == row["name"]) rows.push_back(row);
+            for (const Json& other : document_["rows"])
+                if (other["name"] == one->name && other["name"] != row["name"]) rows.push_back(other);
+        }
+        document_["rows"] = rows;
+        write_text(folder_ / "stability.json", document_.dump(1) + "\n");
+        write_text(folder_ / "stability.md", cases_as_markdown(document_));
+    }
+
+    [[nodiscard]] const Json& rows() const { return document_["rows"]; }
+
+  private:
+    fs::path folder_;
+    Json document_;
+};
+
+void draw_picture(const StabilityCase& one, const fs::path& folder) {
+    if (!one.picture) return;
+    if (const std::optional<common::Image> image = one.picture()) {
+        prepare_output_folder("--out", folder / "images");
+        common::write_png(folder / "images" / (one.name + ".png"), *image,
+                          common::middle_grey_exposure(*image));
+    }
+}
+
+void list_cases() {
+    for (const StabilityCase* one : stability_cases()) fmt::print("{:<22} {}\n", one->name, one->purpose);
+}
+
+void run(const StabilityOptions& options) {
+    if (options.list) return list_cases();
+    const std::vector<const StabilityCase*> chosen = chosen_cases(options.names);
+    RunOptions run_options;
+    run_options.threads = options.threads;
+    common::ThreadPool pool(run_options.thread_count());
+    prepare_output_folder("--out", options.out);
+    const fs::path folder = options.out;
+    StabilityTable table(folder, !options.quick, pool.threads());
+
+    const std::size_t seeds = CaseRun(!options.quick).seeds();
+    common::Progress progress("stability", "seeds", chosen.size() * seeds);
+    std::uint64_t done = 0;
+    std::size_t finished = 0, failed = 0;
+    const CaseRun case_run(!options.quick, {}, [&] {
+        if (common::interrupted())
+            throw Interrupted(fmt::format("stability stopped: {} finished cases are in {}", finished,
+                                          (folder / "stability.json").string()));
+        progress.show(done++);
+    });
+    for (const StabilityCase* one : chosen) {
+        const common::Stopwatch stopwatch;
+        const std::vector<StabilityCurve> curves = pool.run([&] { return one->run(case_run); });
+        table.add(case_as_json(*one, curves, case_run.full(), seeds, stopwatch.seconds()));
+        pool.run([&] { draw_picture(*one, folder); });
+        done = ++finished * seeds;
+        failed += !passes(curves, stability_cases().size());
+    }
+    fmt::print("{}\n{}\n", cases_as_text(table.rows()), (folder / "stability.md").string());
+    if (!run_python("bench/report/stability_charts.py", folder))
+        fmt::print(stderr, "stability: the charts could not be drawn; the table is complete\n");
+    if (failed > 0) throw BoundExceeded(fmt::format("stability: {} cases are not as predicted", failed));
+}
+
+}  // namespace
+
+void add_stability_command(CLI::App& app) {
+    const auto options = std::make_shared<StabilityOptions>();
+    CLI::App* command = app.add_subcommand(
+        "stability", "Hold both methods to theory where methods fail, in small scenes of its own");
+    command->add_option("CASE", options->names, "Cases; all where none is named");
+    command->add_flag("--list", options->list, "Name the cases");
+    command->add_flag("--short", options->quick, "The short form that ./check runs");
+    command->add_option("--out", options->out, "Folder for stability.json, stability.md, charts and images")
+        ->capture_default_str();
+    command->add_option("--threads", options->threads, "0: all")->capture_default_str();
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace bench

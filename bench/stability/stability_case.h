@@ -1,0 +1,109 @@
+// What a stability case is: a small scene, one parameter that is swept, what theory says, and what the
+// methods do.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/image/image.h"
+
+namespace bench {
+
+/// How one run of a case is done.
+class CaseRun {
+  public:
+    /// Called before each seed; throws to end the run.
+    using NextSeed = std::function<void()>;
+
+    /// `mutation`: one of the case's own, or empty.
+    CaseRun(bool full, std::string mutation = {}, NextSeed next_seed = {})
+        : full_(full), mutation_(std::move(mutation)), next_seed_(std::move(next_seed)) {}
+
+    /// The larger number in the full form, the smaller one in the short form.
+    template <class T>
+    [[nodiscard]] T either(T full, T quick) const {
+        return full_ ? full : quick;
+    }
+    [[nodiscard]] bool full() const { return full_; }
+
+    /// Whether this run is to be wrong in the named way.
+    [[nodiscard]] bool has_mutation(std::string_view name) const { return mutation_ == name; }
+
+    /// Independent repetitions: enough for a deviation that is estimated from them.
+    [[nodiscard]] std::uint64_t seeds() const { return full_ ? 32 : 12; }
+
+    /// Calls `measure(seed)` for the seeds 1, 2, ...
+    template <class Measure>
+    void for_each_seed(Measure measure) const {
+        for (std::uint64_t seed = 1; seed <= seeds(); ++seed) {
+            if (next_seed_) next_seed_();
+            measure(seed);
+        }
+    }
+
+  private:
+    bool full_;
+    std::string mutation_;
+    NextSeed next_seed_;
+};
+
+struct StabilityPoint {
+    double at;           ///< the swept parameter
+    double predicted;    ///< by theory
+    double allowed = 0;  ///< how far off theory itself may be: a series' next term, rounding; absolute
+    std::vector<double> measured{};  ///< one for each seed; a single one where nothing is random
+};
+
+/// How a curve's points are judged.
+enum class Expected {
+    equal,    ///< the mean is the prediction, within its confidence and what is allowed
+    at_most,  ///< the mean is not above that
+    shown     ///< not at all: drawn for comparison, such as a method before its remedy
+};
+
+struct StabilityCurve {
+    std::string name;  ///< which method, and how: "photon map, normal test"
+    Expected expected = Expected::equal;
+    std::vector<StabilityPoint> points;
+};
+
+/// A curve without measurements, with `predicted(at)` at each place.
+template <class Predicted>
+[[nodiscard]] StabilityCurve curve_at(std::string name, std::span<const double> places, Predicted predicted,
+                                      Expected expected = Expected::equal, double allowed = 0) {
+    StabilityCurve curve{std::move(name), expected, {}};
+    for (const double at : places) curve.points.push_back({at, predicted(at), allowed});
+    return curve;
+}
+
+/// All text is for people; names are lower case words joined by hyphens.
+struct StabilityCase {
+    std::string name;
+    std::string purpose;                 ///< what fails, and whom it hurts
+    std::string scene;                   ///< the scene in words, with the seeds' part in it
+    std::string swept, measured;         ///< labels of both axes, with units
+    std::string theory;                  ///< the prediction's formula and where it is from
+    std::string advice;                  ///< the remedy that is on by default, or what to avoid
+    std::vector<std::string> mutations;  ///< each makes the case fail
+    std::vector<StabilityCurve> (*run)(const CaseRun&);
+    bool logarithmic_swept = false, logarithmic_measured = false;
+    /// A picture where people would rather look than read; linear values with R, G, B.
+    std::optional<common::Image> (*picture)() = nullptr;
+};
+
+/// All cases, in the order of their numbers.
+[[nodiscard]] std::vector<const StabilityCase*> stability_cases();
+
+/// Registers a case for as long as the program runs: each case's file has one of these.
+class RegisteredCase {
+  public:
+    /// `number`: where it stands among the others, each its own.
+    RegisteredCase(int number, const StabilityCase& stability_case);
+};
+
+}  // namespace bench

@@ -36,10 +36,13 @@ auto photon_map(SharedInputs& inputs, std::uint64_t hits, const photonmap::Photo
                   Sink(methods.scene(), {selection, photonmap::Kernel::disc, methods.settings().max_radius}));
 }
 
-auto light_map(SharedInputs& inputs, std::size_t texels) {
+/// The same run `times` over: a billion hits in half a minute.
+auto light_map(SharedInputs& inputs, std::size_t texels, std::uint64_t hits = default_hits, int times = 1) {
     PreparedMethods& methods = inputs.methods(texels);
-    return map_of(inputs.recording(default_hits),
-                  shlm::Sink<shlm::PaperModel>(methods.texels(), shlm::NearestTexels{}, inputs.quantum()));
+    shlm::Sink<shlm::PaperModel> sink(methods.texels(), shlm::NearestTexels{}, inputs.quantum());
+    const Recording& recording = inputs.recording(hits);
+    for (int i = 0; i < times; ++i) replay(recording, sink);
+    return std::move(sink).finish(recording.report.watts_per_flux() / static_cast<float>(times));
 }
 
 /// A value that is made when first asked for: the maps take long to make, and most of them nobody asks for.
@@ -157,6 +160,12 @@ void register_gather_benchmarks(SharedInputs& inputs) {
         lazy([&inputs] { return photon_map<photonmap::CompactPhotonSink>(inputs, default_hits); }));
     register_gather_in_parallel(inputs, fmt::format("gather/shlm/texels:{}", default_texels),
                                 lazy([&inputs] { return light_map(inputs, default_texels); }));
+    for (const auto& [hits, times] : {std::pair(100'000ul, 1), std::pair(default_hits, 1000)})
+        register_gather(inputs, fmt::format("gather/shlm/hits:{}", hits * static_cast<std::uint64_t>(times)),
+                        lazy([&inputs, hits = hits, times = times] {
+                            return light_map(inputs, default_texels, hits, times);
+                        }),
+                        of_photon_map);
     for (const std::size_t texels : {4'096ul, 65'536ul, default_texels, 1'048'576ul})
         register_gather(inputs, fmt::format("gather/shlm/texels:{}", texels),
                         lazy([&inputs, texels] { return light_map(inputs, texels); }), of_photon_map);

@@ -52,6 +52,11 @@ void measure_equal_adds(std::span<const double> places, StabilityCurve* red_curv
     });
 }
 
+/// Of all light of 1 W, which is 2^23 quanta, a light map counts whole ones.
+double in_quanta(double watts) {
+    return std::rint(watts * 0x1p23) * 0x1p-23;
+}
+
 /// Multiples of 2^-24 below 1: up to 2^29 doubles sum them without error.
 template <class Sums>
 void measure_random_adds(std::span<const double> places, StabilityCurve& curve) {
@@ -68,8 +73,8 @@ void measure_random_adds(std::span<const double> places, StabilityCurve& curve) 
 }
 
 std::vector<StabilityCurve> run(const CaseRun& run) {
-    const std::vector<double> places =
-        run.either<std::vector<double>>({1e4, 1e5, 1e6, 1e7, 1e8, 1e9}, {1e4, 1e5, 1e6, 1e7, 4e7});
+    const std::vector<double> places = run.either<std::vector<double>>(
+        {1e4, 1e5, 1e6, 3e6, 1e7, 2e7, 4e7, 1e8, 3e8, 1e9}, {1e4, 1e5, 1e6, 3e6, 1e7, 2e7, 4e7});
     const double stops = run.has_mutation("floats have 25 bits") ? 0x1p25 : 0x1p24;
     const auto one = [](double) { return 1.0; };
     std::vector<StabilityCurve> curves = {
@@ -81,8 +86,9 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         // Below 1 W no add moves a float at 2^24, where the next one is 2 W on.
         curve_at("float, 0 to 1 W each", places, [&](double n) { return std::min(1.0, stops / (n / 2)); }),
         curve_at("double, 0.7 W each", places, one),
-        // Each add is rounded to a quantum of 2^-23, 0.7 W by half of one.
-        curve_at("light map, 0.7 W each", places, one, Expected::equal, 0x1p-24 / green),
+        curve_at(
+            "light map, 0.7 W each", places, [](double) { return in_quanta(green) / green; }, Expected::equal,
+            0x1p-50),
         curve_at("light map, 0 to 1 W each", places, one)};
     for (std::size_t i = 0; i < places.size(); ++i) {
         // By chance, five deviations: up to the stop that of roundings to a step, 2^-23 of the sum, and then
@@ -115,7 +121,8 @@ const RegisteredCase registered(
      .swept = "hits on the texel: N",
      .measured = "sum / exact sum",
      .theory = "Float: min(1, 2^24 / N) for 1 W; for 0.7 W each add is rounded to whole steps of the sum; "
-               "min(1, 2^25 / N) for random ones. Double: 1. Light map: 1, but for a quantum's rounding.",
+               "min(1, 2^25 / N) for random ones. Double: 1. Light map: 1, but for "
+               "the rounding of each add to a quantum, 2^-23 W.",
      .advice = "No remedy needed in the light map: its sums are integers, 32 bits drained into 64.",
      .mutations = {"floats have 25 bits", "the light map sums floats"},
      .run = run,

@@ -72,9 +72,11 @@ Sums sums_of_floats(std::span<const HitBatch> batches, int threads) {
     return sums;
 }
 
-/// What a photon map of these photons, stored and indexed by so many threads, answers.
+/// What a photon map of these photons answers, stored and indexed by so many threads, but no more than the
+/// whole run may use.
 std::vector<common::Rgb> answers_of(std::span<const HitBatch> batches, int threads) {
-    return common::ThreadPool(threads).run([&] {
+    const auto most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    return common::ThreadPool(std::min(threads, static_cast<int>(most))).run([&] {
         photonmap::CompactPhotonSink sink(one_quad(), nearest(50, 0.1));
         sink.consume(batches);
         const auto map = std::move(sink).finish(1);

@@ -9,7 +9,7 @@ namespace {
 
 using common::SurfacePoint;
 
-constexpr double radius = 0.1;  // of the photon map
+constexpr double radius = 0.05;  // of the photon map
 constexpr std::size_t texels_of_a_quad = 40 * 40;
 constexpr std::uint32_t lit_quad = 0, dark_quad = 2;  // first triangles
 

@@ -70,7 +70,7 @@ std::vector<SurfacePoint> points_on(const TiledFloor& floor, double margin, Gene
 std::vector<StabilityCurve> run(const CaseRun& run) {
     std::vector<TiledFloor> floors;
     std::vector<double> places;
-    for (const int cells : {141, 45, 14, 3, 1})  // none but the last fits 20 texels
+    for (const int cells : {141, 45, 26, 14, 7, 3, 1})  // none but the last fits 20 texels
         places.push_back(floors.emplace_back(cells, 20).triangle_area_in_texels());
     const double disc = run.has_mutation("the photon map's disc is a square") ? scene_builder::pi / 4 : 1;
     const auto one = [](double) { return 1.0; };

@@ -1,4 +1,6 @@
 // 6. Texel seams: where the lightmap is cut, a lookup in the lightmap does not see across.
+#include <algorithm>
+
 #include "bench/stability/known_light.h"
 #include "bench/stability/stability_case.h"
 
@@ -76,8 +78,10 @@ double error_of_nearest(double place) {
 
 std::vector<StabilityCurve> run(const CaseRun& run) {
     const common::Scene& scene = cut_floor();
-    constexpr double places[] = {-1.5, -1.02, -0.98, -0.75, -0.5, -0.25, -0.02,
-                                 0.02, 0.25,  0.5,   0.75,  0.98, 1.02,  1.5};
+    // On both sides of every jump.
+    std::vector<double> places = {0.02, 0.2, 0.38, 0.42, 0.5, 0.58, 0.62, 0.8, 0.98, 1.02, 1.2, 1.38};
+    for (std::size_t i = 0; i < 12; ++i) places.push_back(-places[i]);
+    std::sort(places.begin(), places.end());
     std::vector<StabilityCurve> curves = {
         curve_at("photon map, radius of 2 texels", places, [](double) { return 0.0; }),
         curve_at("light map, own texel", places, [](double p) { return middle_of_texel(p) - p; }),

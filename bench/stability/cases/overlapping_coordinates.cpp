@@ -110,7 +110,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         for (std::size_t i = 0; i < std::size(places); ++i) {
             const auto& [scene, uv, texels, width] = overlaps[i];
             common::HitBatch hits;
-            irradiate_quad(hits, scene, lit_quad, run.either<std::size_t>(400'000, 20'000), generator,
+            irradiate_quad(hits, scene, lit_quad, run.either<std::size_t>(80'000, 20'000), generator,
                            always({0, 0, -1}));
             const auto photon_map = photon_map_of(scene, hits, within(scene, radius));
             const auto own = light_map_of<SurfaceTexel>(texels, hits, shlm::OwnTexel{});

@@ -95,7 +95,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         Generator generator(seed);
         for (std::size_t i = 0; i < floors.size(); ++i) {
             const TiledFloor& floor = floors[i];
-            common::HitBatch hits = irradiate(floor, run.either<std::size_t>(400'000, 20'000), generator);
+            common::HitBatch hits = irradiate(floor, run.either<std::size_t>(80'000, 20'000), generator);
             const double flux = flux_of(hits);
             const auto photon_map = photon_map_of(floor.scene, hits, within(floor.scene, radius));
             const common::HitBatch kept = on_triangles_with_center(floor, hits);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bench/stability/verdict.h"
+#include "tests/statistics.h"
 
 namespace {
 
@@ -13,12 +14,9 @@ using bench::StabilityCase;
 
 class StabilityCases : public testing::TestWithParam<const StabilityCase*> {};
 
-bool passes(const StabilityCase& one, const std::string& mutation = {}) {
-    return bench::passes(one.run(CaseRun(false, mutation)), bench::stability_cases().size());
-}
-
 TEST_P(StabilityCases, AreAsPredicted) {
-    const auto curves = GetParam()->run(CaseRun(false));
+    // Few seeds have wide bands: where every sample is slow, this is for the sanitizers to see the code run.
+    const auto curves = GetParam()->run(CaseRun(false, {}, {}, tests::count_for(12, 2)));
     const std::size_t cases = bench::stability_cases().size();
     const double false_alarms = bench::false_alarms_per_point(curves, cases);
     for (const bench::StabilityCurve& curve : curves)
@@ -32,8 +30,11 @@ TEST_P(StabilityCases, AreAsPredicted) {
 
 TEST_P(StabilityCases, CanFail) {
     EXPECT_FALSE(GetParam()->mutations.empty());
+    if (tests::count_for(0, 1) == 1) GTEST_SKIP() << "the optimised build shows it";
     for (const std::string& mutation : GetParam()->mutations)
-        EXPECT_FALSE(passes(*GetParam(), mutation)) << mutation;
+        EXPECT_FALSE(
+            bench::passes(GetParam()->run(CaseRun(false, mutation)), bench::stability_cases().size()))
+            << mutation;
 }
 
 TEST_P(StabilityCases, SayWhatTheyAre) {

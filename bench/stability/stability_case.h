@@ -20,9 +20,14 @@ class CaseRun {
     /// Called before each seed; throws to end the run.
     using NextSeed = std::function<void()>;
 
-    /// `mutation`: one of the case's own, or empty.
-    CaseRun(bool full, std::string mutation = {}, NextSeed next_seed = {})
-        : full_(full), mutation_(std::move(mutation)), next_seed_(std::move(next_seed)) {}
+    /// `mutation`: one of the case's own, or empty. `seeds`: 0 for as many as estimate a deviation well.
+    CaseRun(bool full, std::string mutation = {}, NextSeed next_seed = {}, std::uint64_t seeds = 0)
+        : full_(full),
+          mutation_(std::move(mutation)),
+          next_seed_(std::move(next_seed)),
+          seeds_(seeds > 0 ? seeds
+                 : full    ? 32
+                           : 12) {}
 
     /// The larger number in the full form, the smaller one in the short form.
     template <class T>
@@ -34,8 +39,8 @@ class CaseRun {
     /// Whether this run is to be wrong in the named way.
     [[nodiscard]] bool has_mutation(std::string_view name) const { return mutation_ == name; }
 
-    /// Independent repetitions: enough for a deviation that is estimated from them.
-    [[nodiscard]] std::uint64_t seeds() const { return full_ ? 32 : 12; }
+    /// Independent repetitions.
+    [[nodiscard]] std::uint64_t seeds() const { return seeds_; }
 
     /// Calls `measure(seed)` for the seeds 1, 2, ...
     template <class Measure>
@@ -50,6 +55,7 @@ class CaseRun {
     bool full_;
     std::string mutation_;
     NextSeed next_seed_;
+    std::uint64_t seeds_;
 };
 
 struct StabilityPoint {

@@ -76,8 +76,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
 const RegisteredCase registered(
     102,
     {.name = "gather-sums",
-     .purpose = "Sums of many photons in one gather: a float is off by some 1e-3 after 1e5 photons of the "
-                "same flux, more than the noise that so many are gathered to get rid of.",
+     .purpose = "Sums of many photons in one gather: a float is 0.2 % off after 2e5 photons of 0.7 W, and 1 "
+                "% after 1e6, ten times the noise that so many leave.",
      .scene = "Photons of 0.7 W, head on, all of them within one gather. Nothing depends on a seed.",
      .swept = "photons in the gather: N",
      .measured = "sum / exact sum",

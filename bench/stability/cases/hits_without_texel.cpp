@@ -111,16 +111,15 @@ const RegisteredCase registered(
     {.name = "hits-without-texel",
      .purpose = "Hits that have no texel, and hits that are no numbers: energy that a map loses without a "
                 "word is found by nobody, and one NaN spoils all that is averaged with it.",
-     .scene =
-         "A closed box with a point light in its middle, traced, all seeds. Some of its six walls have no "
-         "lightmap coordinates, as many others are wound so that their backs are lit.",
+     .scene = "A closed box with a point light in its middle, traced. Some of its six walls have no "
+              "lightmap coordinates, as many others are wound so that their backs are lit.",
      .swept = "walls of each kind",
      .measured = "part of the hits",
      .theory = "A sixth of the hits on each wall. hits = stored + rejected, to the hit. NaN and both "
                "infinities in each of nine numbers are counted as not finite. Photon maps store the rest.",
-     .advice =
-         "hits_rejected in the table of compare, and the warning of render, are not to be ignored. Unwrap "
-         "the mesh; make materials of open surfaces double-sided.",
+     .advice = "Heed what render says it rejected, and hits_rejected in the table of compare. Unwrap the "
+               "mesh; make "
+               "materials of open surfaces double-sided.",
      .mutations = {"a photon map needs coordinates", "rejected hits are not counted"},
      .run = run});
 

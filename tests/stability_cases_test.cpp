@@ -48,8 +48,8 @@ TEST_P(StabilityCases, SayWhatTheyAre) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, StabilityCases, testing::ValuesIn(bench::stability_cases()),
-                         [](const auto& info) {
-                             std::string name = info.param->name;
+                         [](const auto& given) {
+                             std::string name = given.param->name;
                              std::replace(name.begin(), name.end(), '-', '_');
                              return name;
                          });

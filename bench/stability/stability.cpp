@@ -55,6 +55,9 @@ class StabilityTable {
         const EarlierRows earlier = read_earlier_rows(folder / "stability.json", context);
         document_ = {{"context", context}, {"rows", Json::array()}};
         if (earlier.found && earlier.same_context) document_["rows"] = earlier.document["rows"];
+        if (earlier.found && !earlier.same_context)
+            fmt::print(stderr, "stability: {} is of another build, machine or form and is written anew\n",
+                       (folder / "stability.json").string());
     }
 
     /// In place of an earlier row of the same case.

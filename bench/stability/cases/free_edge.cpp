@@ -92,7 +92,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
 }
 
 const RegisteredCase registered(
-    1,
+    10,
     {.name = "free-edge",
      .purpose = "Boundary bias: near the free edge of a surface a photon map's disc hangs over the edge and "
                 "reads too little; a light map must not, though its texels are cut there.",

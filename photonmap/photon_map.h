@@ -113,13 +113,15 @@ class PhotonMap {
     [[nodiscard]] common::Rgb from_all_within(const common::SurfacePoint& point,
                                               const KernelFunction& kernel) const {
         const float radius_sq = max_radius_ * max_radius_;
-        common::Rgb sum(0, 0, 0);
+        // In double, as there is no end to their number: equal floats round the same way again and again, and
+        // a million of them would be off by up to 1 %.
+        Imath::Color3<double> sum(0, 0, 0);
         common::AllWithin collector(radius_sq, [&](float distance_sq, std::uint32_t i) {
-            sum += tilted_flux(i, point) * kernel(distance_sq / radius_sq);
+            sum += Imath::Color3<double>(tilted_flux(i, point) * kernel(distance_sq / radius_sq));
         });
         stored_->index.search(point.position, collector,
                               stored_->photons.same_surface(*scene_, point.geometric_normal));
-        return sum * (watts_per_flux_ / (std::numbers::pi_v<float> * radius_sq));
+        return common::Rgb(sum * (double{watts_per_flux_} / (std::numbers::pi * double{radius_sq})));
     }
 
     [[nodiscard]] common::Rgb tilted_flux(std::uint32_t photon, const common::SurfacePoint& point) const {

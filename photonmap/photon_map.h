@@ -76,23 +76,6 @@ class PhotonMap {
           nearest_(number_of_nearest(settings.selection, stored_->photons.size())),
           max_radius_(largest_radius(settings, scene.diagonal())) {}
 
-    /// In doubles: photons mostly have the same flux, whose roundings in a float all go the same way. Of N
-    /// photons up to N / 2^24 of the sum would be lost or won (bench/stability/float_sums.h).
-    class FluxSum {
-      public:
-        void add(const common::Rgb& flux) { sum_ += Imath::V3d(flux.x, flux.y, flux.z); }
-        [[nodiscard]] common::Rgb times(double scale) const {
-            return common::Rgb(common::Vec3(sum_ * scale));
-        }
-
-      private:
-        Imath::V3d sum_{0, 0, 0};
-    };
-
-    [[nodiscard]] common::Rgb irradiance_of(const FluxSum& sum, float radius_sq) const {
-        return sum.times(watts_per_flux_ / (std::numbers::pi * radius_sq));
-    }
-
     static std::size_t number_of_nearest(const PhotonSelection& selection, std::size_t photons) {
         if (const auto* nearest = std::get_if<NearestPhotons>(&selection)) return nearest->count;
         if (const auto* growing = std::get_if<GrowingNumber>(&selection))
@@ -119,24 +102,26 @@ class PhotonMap {
             radius_sq = std::max(NearestSelection::distance_sq(counted.front()), radius_sq * 1e-8f);
             counted = counted.subspan(1);
         }
-        FluxSum sum;
+        common::Rgb sum(0, 0, 0);
         for (const NearestSelection::Key found : counted)
-            sum.add(tilted_flux(NearestSelection::index(found), point) *
-                    kernel(NearestSelection::distance_sq(found) / radius_sq));
-        return irradiance_of(sum, radius_sq);
+            sum += tilted_flux(NearestSelection::index(found), point) *
+                   kernel(NearestSelection::distance_sq(found) / radius_sq);
+        return sum * (watts_per_flux_ / (std::numbers::pi_v<float> * radius_sq));
     }
 
     template <class KernelFunction>
     [[nodiscard]] common::Rgb from_all_within(const common::SurfacePoint& point,
                                               const KernelFunction& kernel) const {
         const float radius_sq = max_radius_ * max_radius_;
-        FluxSum sum;
+        // In double, as there is no end to their number: equal floats round the same way again and again, and
+        // a million of them would be off by up to 1 %.
+        Imath::Color3<double> sum(0, 0, 0);
         common::AllWithin collector(radius_sq, [&](float distance_sq, std::uint32_t i) {
-            sum.add(tilted_flux(i, point) * kernel(distance_sq / radius_sq));
+            sum += Imath::Color3<double>(tilted_flux(i, point) * kernel(distance_sq / radius_sq));
         });
         stored_->index.search(point.position, collector,
                               stored_->photons.same_surface(*scene_, point.geometric_normal));
-        return irradiance_of(sum, radius_sq);
+        return common::Rgb(sum * (double{watts_per_flux_} / (std::numbers::pi * double{radius_sq})));
     }
 
     [[nodiscard]] common::Rgb tilted_flux(std::uint32_t photon, const common::SurfacePoint& point) const {

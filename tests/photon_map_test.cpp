@@ -70,8 +70,7 @@ HitBatch poisson_photons(double density, std::mt19937_64& engine) {
 
 /// Relative estimates at points whose gathers do not overlap: on a grid, several photons' reach from each
 /// other and from the square's border.
-std::vector<double> estimates(std::size_t k, Kernel kernel, double max_radius_photons,
-                              std::uint64_t seed) {
+std::vector<double> estimates(std::size_t k, Kernel kernel, double max_radius_photons, std::uint64_t seed) {
     constexpr int side = 24, rounds = static_cast<int>(count_for(3, 1));
     // Discs of k photons are 1 / 16 of a grid cell's area, on average; those of 10 k photons still lie in one
     // cell.
@@ -212,6 +211,19 @@ TEST(PhotonMap, TakesAllPhotonsWithinAFixedRadius) {
     const auto smooth = map.with_gather({settings.selection, Kernel::epanechnikov, 0});
     const double weight = 2 * (3 - (0.01 + 0.04 + 0.0576) / (radius * radius));
     expect_per_area(smooth.irradiance(on_floor({0, 0, 0})), weight, radius);
+}
+
+TEST(PhotonMap, AddsUpManyEqualPhotons) {
+    // Each could round by half a unit of a float's last place, and in floats they are off by 1 part in 300.
+    constexpr std::size_t count = 300'000;
+    constexpr float flux = 1.3e-6f;
+    HitBatch hits;
+    for (std::size_t i = 0; i < count; ++i)
+        hits.push_back({0, 0, 0}, down, {flux, 2 * flux, 3 * flux}, {0, 0, 0});
+    const double radius = 0.01, expected = count * double{flux} / (pi * radius * radius);
+    const auto map = map_of(hits, {photonmap::FixedRadius{radius / corner().diagonal()}});
+    const Rgb read = map.irradiance(on_floor({0, 0, 0}));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(read[c] / ((c + 1) * expected), 1, 1e-6);
 }
 
 TEST(PhotonMap, NumberOfNearestGrowsWithThePhotons) {

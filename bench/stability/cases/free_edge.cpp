@@ -1,8 +1,9 @@
 // 1. Boundary bias: at the free edge of a surface a disc of photons hangs over the edge.
 #include <numbers>
 
-#include "bench/stability/known_light.h"
+#include "bench/stability/floor_light.h"
 #include "bench/stability/stability_case.h"
+#include "bench/stability/theory.h"
 
 namespace bench {
 namespace {
@@ -33,17 +34,7 @@ const common::Scene& floor_with_turned_texels() {
 
 /// At a distance from the edge x = 1, away from the corners.
 std::vector<SurfacePoint> points_at(double distance) {
-    std::vector<SurfacePoint> points;
-    for (int i = 0; i < 64; ++i)
-        points.push_back(scene_builder::front_of(
-            floor_with_turned_texels(), scene_builder::on_quad(0, static_cast<float>(1 - distance / 2),
-                                                               0.15f + 0.7f * static_cast<float>(i) / 63)));
-    return points;
-}
-
-/// The part of a disc that is left where an edge cuts it at t radii from its center.
-double part_of_disc(double t) {
-    return t >= 1 ? 1 : 1 - (std::acos(t) - t * std::sqrt(1 - t * t)) / std::numbers::pi;
+    return points_across(floor_with_turned_texels(), 0, 1 - distance / 2);
 }
 
 /// As if every texel were whole.
@@ -60,7 +51,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     const auto bright = [](double) { return 1.0; };
     const double wrong = run.has_mutation("the whole disc counts") ? 1 : 0;
     std::vector<StabilityCurve> curves = {
-        curve_at("photon map, radius r", places, [&](double t) { return std::max(part_of_disc(t), wrong); }),
+        curve_at("photon map, radius r", places,
+                 [&](double t) { return std::max(1 - segment_of_disc(t), wrong); }),
         curve_at("light map, own texel", places, bright),
         curve_at("light map, 4 nearest texels", places, bright),
         curve_at("light map, own texel, areas not clipped", places, bright, Expected::shown)};
@@ -74,12 +66,9 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         irradiate_quad(hits, scene, 0, run.either<std::size_t>(2'000'000, 200'000), generator,
                        always({0, 0, -1}));
         const auto photon_map = photon_map_of(scene, hits, within(scene, radius));
-        const auto own =
-            light_map_of<shlm::TexelModel<0, shlm::ShWeight::normalised>>(clipped, hits, shlm::OwnTexel{});
-        const auto nearest = light_map_of<shlm::TexelModel<0, shlm::ShWeight::normalised>>(
-            clipped, hits, shlm::NearestTexels{4});
-        const auto unclipped =
-            light_map_of<shlm::TexelModel<0, shlm::ShWeight::normalised>>(whole, hits, shlm::OwnTexel{});
+        const auto own = light_map_of<PlainModel>(clipped, hits, shlm::OwnTexel{});
+        const auto nearest = light_map_of<PlainModel>(clipped, hits, shlm::NearestTexels{4});
+        const auto unclipped = light_map_of<PlainModel>(whole, hits, shlm::OwnTexel{});
         for (std::size_t i = 0; i < std::size(places); ++i) {
             const auto points = points_at(places[i] * radius);
             curves[0].points[i].measured.push_back(mean_irradiance(photon_map, points));

@@ -77,8 +77,11 @@ double texel_noise(const HitBatch& hits) {
 double own_noise(const HitBatch& hits, double clamp) {
     std::vector<double> sums(side * side);
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        const auto column = static_cast<std::size_t>(hits.position[i].x * side),
-                   row = static_cast<std::size_t>(hits.position[i].y * side);
+        // A coordinate just below 1 may have been rounded to it.
+        const auto texel_along = [](float x) {
+            return std::min(static_cast<std::size_t>(x * side), side - 1);
+        };
+        const std::size_t column = texel_along(hits.position[i].x), row = texel_along(hits.position[i].y);
         sums[row * side + column] += 1 / std::max<double>(-hits.direction[i].z, clamp);
     }
     return noise_of(sums, static_cast<double>(hits.size()) / (side * side));

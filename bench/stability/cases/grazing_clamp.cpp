@@ -116,8 +116,9 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
                                    ? read(light_map_of<Order0Flux>(texels, hits, shlm::OwnTexel{}), point)
                                    : read(light_map_of<Order0>(texels, hits, shlm::OwnTexel{}), point);
         curves[1].points[0].measured.push_back(lost(order_0, facing / 4));  // pi Y00^2 = 1 / 4
-        curves[2].points[0].measured.push_back(lost(read(light_map_of(texels, hits, shlm::OwnTexel{}), point),
-                                                    unclamped(hits, point.shading_normal, order_2_series)));
+        curves[2].points[0].measured.push_back(lost(
+            read(light_map_of(texels, hits, shlm::OwnTexel{}), point),
+            unclamped(hits, point.shading_normal, [](double x) { return clamped_cosine_series(2, x); })));
         // A disc of 1 m^2.
         const auto photon_map =
             map_of(photonmap::GridPhotonSink(unit_floor(), within(unit_floor(), 1 / std::sqrt(pi))), hits);

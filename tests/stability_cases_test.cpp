@@ -15,8 +15,11 @@ using bench::StabilityCase;
 class StabilityCases : public testing::TestWithParam<const StabilityCase*> {};
 
 TEST_P(StabilityCases, AreAsPredicted) {
-    // Few seeds have wide bands: where every sample is slow, this is for the sanitizers to see the code run.
-    const auto curves = GetParam()->run(CaseRun(false, {}, {}, tests::count_for(12, 2)));
+    // Where every sample is slow there are too few seeds to judge by: the sanitizers see the code run.
+    const bool judged = tests::count_for(1, 0) == 1;
+    const auto curves = GetParam()->run(CaseRun(false, {}, {}, judged ? 12 : 2));
+    ASSERT_FALSE(curves.empty());
+    if (!judged) return;
     const std::size_t cases = bench::stability_cases().size();
     const double false_alarms = bench::false_alarms_per_point(curves, cases);
     for (const bench::StabilityCurve& curve : curves)

@@ -3,9 +3,8 @@
 
 #include <cstring>
 
+#include "bench/stability/traced_hits.h"
 #include "common/core/threads.h"
-#include "common/tracer/recording_sink.h"
-#include "common/tracer/trace_photons.h"
 #include "shlm/quantum.h"
 #include "tests/scene_builder.h"
 
@@ -19,15 +18,10 @@ common::TraceReport trace(const Scene& scene, std::uint64_t seed, common::TraceT
     return common::trace_photons(rays, source, seed, target, sink, progress);
 }
 
-struct TracedRun {
-    common::HitBatch hits;
-    common::TraceReport report;
-};
+using TracedRun = bench::TracedHits;
 
 inline TracedRun record(const Scene& scene, std::uint64_t seed, common::TraceTarget target) {
-    common::RecordingSink sink;
-    const common::TraceReport report = trace(scene, seed, target, sink);
-    return {sink.hits(), report};
+    return bench::traced(scene, seed, target);
 }
 
 /// Whether the first elements of two columns are the same to the last bit.

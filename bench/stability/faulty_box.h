@@ -2,8 +2,6 @@
 #pragma once
 
 #include "bench/stability/known_light.h"
-#include "common/tracer/recording_sink.h"
-#include "common/tracer/trace_photons.h"
 
 namespace bench {
 
@@ -12,11 +10,8 @@ namespace bench {
 struct FaultyBox {
     common::Scene scene;
     shlm::PreparedTexels texels;
-    common::RayScene rays;
-    common::PhotonSource source;
 
-    explicit FaultyBox(std::size_t faulty)
-        : scene(scene_with(faulty)), texels(texels_of(scene, 600)), rays(scene), source(scene) {}
+    explicit FaultyBox(std::size_t faulty) : scene(scene_with(faulty)), texels(texels_of(scene, 600)) {}
 
     static common::Scene scene_with(std::size_t faulty) {
         common::Scene scene;
@@ -30,12 +25,6 @@ struct FaultyBox {
         }
         scene.point_light.push_back({{0, 0, 0}, {1, 1, 1}});
         return scene;
-    }
-
-    [[nodiscard]] common::HitBatch hits(std::uint64_t seed, std::uint64_t photons) const {
-        common::RecordingSink sink;
-        common::trace_photons(rays, source, seed, {.photons = photons}, sink);
-        return sink.hits();
     }
 };
 

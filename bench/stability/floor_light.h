@@ -5,9 +5,6 @@
 
 namespace bench {
 
-/// What a traditional light map stores: the surface's irradiance alone, without error of a series.
-using PlainModel = shlm::TexelModel<0, shlm::ShWeight::normalised>;
-
 /// At z = 0 around the origin, one quad (scene_builder.h) that faces up, u along x and v along y.
 [[nodiscard]] inline common::Scene square_floor(double width) {
     const auto w = static_cast<float>(width);

@@ -9,6 +9,12 @@
 
 namespace bench {
 
+/// What a traditional light map stores: the surface's irradiance alone, without error of a series.
+using FlatModel = shlm::TexelModel<0, shlm::ShWeight::normalised>;
+
+template <int Order>
+using HarmonicModel = shlm::TexelModel<Order, shlm::ShWeight::radiance>;
+
 /// For each seed its own; what is drawn in one order is the same everywhere.
 using Generator = std::mt19937_64;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bench/stability/known_light.h"
+#include "bench/stability/unit_floor.h"
 
 namespace bench {
 
@@ -59,17 +60,12 @@ class SparseFloor {
         return points;
     }
 
-    common::Scene scene = [] {
-        common::Scene made;
-        add(made, scene_builder::quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), scene_builder::diffuse({1, 1, 1}));
-        return made;
-    }();
+    const common::Scene& scene = unit_floor();
     shlm::PreparedTexels texels = texels_of(scene, texels_along* texels_along);
 
   private:
-    [[nodiscard]] common::SurfacePoint at(double x, double y) const {
-        return scene_builder::front_of(
-            scene, scene_builder::on_quad(0, static_cast<float>(x), static_cast<float>(y)));
+    [[nodiscard]] static common::SurfacePoint at(double x, double y) {
+        return on_unit_floor(static_cast<float>(x), static_cast<float>(y));
     }
 };
 

@@ -1,26 +1,10 @@
-// Hits that the tracer made, and the light that the stores have of them.
+// The light that the stores have of traced hits.
 #pragma once
 
 #include "bench/stability/known_light.h"
-#include "common/tracer/recording_sink.h"
-#include "common/tracer/trace_photons.h"
+#include "bench/stability/traced_hits.h"
 
 namespace bench {
-
-struct TracedHits {
-    common::HitBatch hits;
-    common::TraceReport report;
-};
-
-/// The first `photons` of the run with this seed.
-[[nodiscard]] inline TracedHits traced(const common::Scene& scene, std::uint64_t seed,
-                                       std::uint64_t photons) {
-    const common::RayScene rays(scene);
-    const common::PhotonSource source(scene);
-    common::RecordingSink sink;
-    const common::TraceReport report = common::trace_photons(rays, source, seed, {.photons = photons}, sink);
-    return {sink.hits(), report};
-}
 
 /// Flux of all photons that a photon map takes, as HitBatch::flux.
 [[nodiscard]] inline double light_in_photons(const common::HitBatch& hits) {

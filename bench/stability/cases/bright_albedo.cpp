@@ -32,7 +32,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             // About as many hits at each albedo, but a block of photons at least.
             const double hits = run.either(5e5, 5e4);
             const auto blocks = static_cast<std::uint64_t>(hits / places[i] / common::photons_per_block) + 1;
-            const TracedHits run_of = traced(lit_box(albedos[i]), seed, blocks * common::photons_per_block);
+            const TracedHits run_of =
+                traced(lit_box(albedos[i]), seed, {.photons = blocks * common::photons_per_block});
             const double expected =
                 4 * scene_builder::pi * places[i] / static_cast<double>(run_of.report.watts_per_flux());
             const double kept = reflected ? albedos[i] : 1;

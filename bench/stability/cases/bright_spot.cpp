@@ -75,7 +75,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             const auto k = static_cast<std::size_t>(std::llround(size * size * static_cast<double>(photons)));
             const auto photon_map = photon_map_of(floors[i], hits, within(floors[i], gathered * size));
             const auto by_number = photon_map.with_gather(nearest(k, max_radius));
-            const auto light_map = light_map_of<PlainModel>(prepared[i], hits, shlm::OwnTexel{});
+            const auto light_map = light_map_of<FlatModel>(prepared[i], hits, shlm::OwnTexel{});
             const common::SurfacePoint middle = floor_point(floors[i], width, 0, 0);
             const auto read = [&](const auto& map) {
                 return double{common::mean_component(map.irradiance(middle))};
@@ -98,8 +98,8 @@ std::optional<common::Image> picture() {
     Generator generator(1);
     const common::HitBatch hits = spot_on(width, floor, 100'000, generator);
     const auto photon_map = photon_map_of(floor, hits, within(floor, width / texels_along / std::sqrt(pi)));
-    const auto own = light_map_of<PlainModel>(prepared, hits, shlm::OwnTexel{});
-    const auto bilinear = light_map_of<PlainModel>(prepared, hits, shlm::Bilinear{});
+    const auto own = light_map_of<FlatModel>(prepared, hits, shlm::OwnTexel{});
+    const auto bilinear = light_map_of<FlatModel>(prepared, hits, shlm::Bilinear{});
 
     common::Image image{panels * size, size, {"R", "G", "B"}, {}};
     for (int row = 0; row < size; ++row)

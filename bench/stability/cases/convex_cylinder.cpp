@@ -139,7 +139,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             const auto gather = within(scene, sizes[i]);
             curves[0].points[i].measured.push_back(mean_irradiance(in_parallel.with_gather(gather), points));
             curves[1].points[i].measured.push_back(mean_irradiance(in_even.with_gather(gather), points));
-            const auto light_map = light_map_of<PlainModel>(prepared[i], parallel, shlm::OwnTexel{});
+            const auto light_map = light_map_of<FlatModel>(prepared[i], parallel, shlm::OwnTexel{});
             curves[2].points[i].measured.push_back(mean_irradiance(light_map, points));
         }
     });

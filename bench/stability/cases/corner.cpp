@@ -64,8 +64,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         const auto not_told_apart = photon_map_of(scene, forgotten, within(scene, radius));
         const common::HitBatch& for_texels =
             run.has_mutation("both surfaces fill the same texels") ? forgotten : hits;
-        const auto own = light_map_of<PlainModel>(prepared, for_texels, shlm::OwnTexel{});
-        const auto nearest = light_map_of<PlainModel>(prepared, for_texels, shlm::NearestTexels{4});
+        const auto own = light_map_of<FlatModel>(prepared, for_texels, shlm::OwnTexel{});
+        const auto nearest = light_map_of<FlatModel>(prepared, for_texels, shlm::NearestTexels{4});
         for (std::size_t i = 0; i < std::size(places); ++i) {
             const auto points = points_across(scene, floor_triangle, places[i] * radius);
             curves[0].points[i].measured.push_back(mean_irradiance(told_apart, points));

@@ -6,7 +6,6 @@ namespace bench {
 namespace {
 
 using common::SurfacePoint;
-using SurfaceTexel = shlm::TexelModel<0, shlm::ShWeight::normalised>;
 
 constexpr int texels_along = 20;    // of a lightmap that is as large as the plane z = 0 from (0, 0) to (1, 1)
 constexpr double off_middle = 0.3;  // of its row of texels: how far each point lies, in texels
@@ -86,7 +85,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             const CutChart& chart = charts[i];
             const common::HitBatch hits = chart.hits(generator);
             const auto measure = [&](StabilityCurve& curve, const shlm::Gather& gather) {
-                const auto map = light_map_of<SurfaceTexel>(chart.texels, hits, gather);
+                const auto map = light_map_of<FlatModel>(chart.texels, hits, gather);
                 curve.points[i].measured.push_back(hits_per_texel *
                                                    mean_of(map, chart.points(), square_of_error));
             };

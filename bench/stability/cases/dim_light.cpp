@@ -18,7 +18,7 @@ Answers answers_with_power(float power, const CaseRun& run, std::uint64_t seed) 
     common::Scene scene = lit_box(0.5f);
     scene.point_light[0].intensity *= power;
     const auto [hits, report] =
-        traced(scene, seed, common::photons_per_block * run.either<std::uint64_t>(8, 1));
+        traced(scene, seed, {.photons = common::photons_per_block * run.either<std::uint64_t>(8, 1)});
     return answers_in_box(scene, texels, hits, 0.4, 1 / power, Generator(seed));
 }
 

@@ -6,10 +6,9 @@ namespace bench {
 namespace {
 
 using common::SurfacePoint;
-using SurfaceTexel = shlm::TexelModel<0, shlm::ShWeight::normalised>;
 
 /// As the four nearest would read if those were left out that have no hits: all are of one area.
-double mean_without_empty_ones(const SparseFloor& floor, const shlm::LightMap<SurfaceTexel>& own) {
+double mean_without_empty_ones(const SparseFloor& floor, const shlm::LightMap<FlatModel>& own) {
     double sum = 0;
     int blocks = 0;
     for (int j = 0; j + 1 < SparseFloor::texels_along; ++j)
@@ -65,8 +64,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         for (std::size_t i = 0; i < std::size(places); ++i) {
             const common::HitBatch hits = floor.hits(places[i], generator);
             const auto photon_map = photon_map_of(floor.scene, hits, gather);
-            const auto own = light_map_of<SurfaceTexel>(floor.texels, hits, shlm::OwnTexel{});
-            const auto four = light_map_of<SurfaceTexel>(floor.texels, hits, shlm::NearestTexels{4});
+            const auto own = light_map_of<FlatModel>(floor.texels, hits, shlm::OwnTexel{});
+            const auto four = light_map_of<FlatModel>(floor.texels, hits, shlm::NearestTexels{4});
             const double without_empty = mean_without_empty_ones(floor, own);
             curves[0].points[i].measured.push_back(mean_of(photon_map, middle, dark));
             curves[1].points[i].measured.push_back(mean_of(photon_map, middle, itself));

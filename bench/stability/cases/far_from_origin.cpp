@@ -44,7 +44,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     run.for_each_seed([&](std::uint64_t seed) {
         const auto photons = common::photons_per_block * run.either<std::uint64_t>(64, 2);
         const auto stored = [&](const MovedBox& box) {
-            const common::HitBatch hits = traced(box.scene, seed, photons).hits;
+            const common::HitBatch hits = traced(box.scene, seed, {.photons = photons}).hits;
             return std::array{light_in_photons(hits), light_in_texels(box.texels, hits)};
         };
         const auto all = stored(at_origin);

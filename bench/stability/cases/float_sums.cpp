@@ -8,16 +8,15 @@
 namespace bench {
 namespace {
 
-using SurfaceTexel = shlm::TexelModel<0, shlm::ShWeight::normalised>;
-using Floats = PlainSums<SurfaceTexel, float>;
-using Doubles = PlainSums<SurfaceTexel, double>;
-using Ours = shlm::TexelSums<SurfaceTexel>;
+using Floats = PlainSums<FlatModel, float>;
+using Doubles = PlainSums<FlatModel, double>;
+using Ours = shlm::TexelSums<FlatModel>;
 
 const shlm::Quantum white({1, 1, 1});
 
 /// Number k of the only texel.
 template <class Number>
-double value(const PlainSums<SurfaceTexel, Number>& sums, std::size_t k) {
+double value(const PlainSums<FlatModel, Number>& sums, std::size_t k) {
     return sums.value(0, k);
 }
 double value(const Ours& sums, std::size_t k) {

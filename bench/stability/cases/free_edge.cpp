@@ -66,9 +66,9 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         irradiate_quad(hits, scene, 0, run.either<std::size_t>(2'000'000, 200'000), generator,
                        always({0, 0, -1}));
         const auto photon_map = photon_map_of(scene, hits, within(scene, radius));
-        const auto own = light_map_of<PlainModel>(clipped, hits, shlm::OwnTexel{});
-        const auto nearest = light_map_of<PlainModel>(clipped, hits, shlm::NearestTexels{4});
-        const auto unclipped = light_map_of<PlainModel>(whole, hits, shlm::OwnTexel{});
+        const auto own = light_map_of<FlatModel>(clipped, hits, shlm::OwnTexel{});
+        const auto nearest = light_map_of<FlatModel>(clipped, hits, shlm::NearestTexels{4});
+        const auto unclipped = light_map_of<FlatModel>(whole, hits, shlm::OwnTexel{});
         for (std::size_t i = 0; i < std::size(places); ++i) {
             const auto points = points_at(places[i] * radius);
             curves[0].points[i].measured.push_back(mean_irradiance(photon_map, points));

@@ -2,6 +2,7 @@
 #include "bench/stability/float_sums.h"
 #include "bench/stability/known_light.h"
 #include "bench/stability/stability_case.h"
+#include "bench/stability/unit_floor.h"
 
 namespace bench {
 namespace {
@@ -12,20 +13,10 @@ using photonmap::GatherSettings;
 constexpr float watts = 0.7f;  // of each photon: roulette gives most photons of a scene the same
 constexpr float radius = 2;    // holds all photons
 
-const common::Scene& floor_of_one_gather() {
-    static const common::Scene made = [] {
-        common::Scene scene;
-        add(scene, scene_builder::quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), scene_builder::diffuse({1, 1, 1}));
-        return scene;
-    }();
-    return made;
-}
-
 common::HitBatch equal_photons(double count) {
     Generator generator(1);
     common::HitBatch hits;
-    irradiate_quad(hits, floor_of_one_gather(), 0, static_cast<std::size_t>(count), generator,
-                   always({0, 0, -1}));
+    irradiate_quad(hits, unit_floor(), 0, static_cast<std::size_t>(count), generator, always({0, 0, -1}));
     for (Rgb& flux : hits.flux) flux = {watts, watts, watts};
     return hits;
 }
@@ -34,7 +25,7 @@ common::HitBatch equal_photons(double count) {
 /// times their flux.
 template <class Map>
 double sum_of_gather(const Map& map, double photons) {
-    const auto middle = scene_builder::front_of(floor_of_one_gather(), scene_builder::on_quad(0, 0.5f, 0.5f));
+    const auto middle = on_unit_floor(0.5f, 0.5f);
     const double area = scene_builder::pi * radius * radius;
     return map.irradiance(middle).x * area / (photons * double{watts});
 }
@@ -64,7 +55,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             Expected::equal, allowed_of_float_sum)};
     for (std::size_t i = 0; i < places.size(); ++i) {
         const common::HitBatch hits = equal_photons(places[i]);
-        const common::Scene& scene = floor_of_one_gather();
+        const common::Scene& scene = unit_floor();
         const auto all = photon_map_of(scene, hits, within(scene, radius));
         const auto nearest_of_all = all.with_gather(nearest(hits.size() + 1, radius));
         const bool floats = run.has_mutation("the gather sums floats");

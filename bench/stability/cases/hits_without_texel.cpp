@@ -1,8 +1,7 @@
 // 9. Hits that have no texel, and hits that are no numbers: none is lost without being counted.
-#include <deque>
-
 #include "bench/stability/faulty_box.h"
 #include "bench/stability/stability_case.h"
+#include "bench/stability/traced_hits.h"
 
 namespace bench {
 namespace {
@@ -62,13 +61,14 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         curve_at("light map: back of a single-sided surface", places, of_one_kind),
         curve_at("all: not finite, of those that are not", places, all),
         curve_at("all: neither stored nor rejected", places, none)};
-    std::deque<FaultyBox> boxes;  // stay where they are: rays and sources know the address of their scene
+    std::vector<FaultyBox> boxes;
     for (const double faulty : places) boxes.emplace_back(static_cast<std::size_t>(faulty));
 
     run.for_each_seed([&](std::uint64_t seed) {
         for (std::size_t i = 0; i < std::size(places); ++i) {
             const FaultyBox& box = boxes[i];
-            const HitBatch hits = box.hits(seed, run.either(20'000, 2'000));
+            const HitBatch hits =
+                traced(box.scene, seed, {.photons = run.either<std::uint64_t>(20'000, 2'000)}).hits;
             const std::vector<HitBatch> wave = {hits, broken_copies(hits)};
             const GatherSettings gather = nearest(50, 0.1);
             const Taken light_map = offer_to_light_map(box.texels, wave);

@@ -9,9 +9,6 @@ namespace {
 using common::SurfacePoint;
 using common::Vec3;
 
-template <int Order>
-using HarmonicModel = shlm::TexelModel<Order, shlm::ShWeight::radiance>;
-
 /// Of 1 x 1, seen and lit from both sides; one texel for each.
 const common::Scene& sheet() {
     static const common::Scene made = [] {

@@ -6,6 +6,7 @@
 #include "bench/micro/plain_sums.h"
 #include "bench/stability/known_light.h"
 #include "bench/stability/stability_case.h"
+#include "bench/stability/unit_floor.h"
 #include "common/core/stopwatch.h"
 #include "common/core/threads.h"
 
@@ -17,20 +18,11 @@ using Model = shlm::PaperModel;
 
 constexpr std::size_t numbers = 3 * Model::summed;
 
-const common::Scene& one_quad() {
-    static const common::Scene made = [] {
-        common::Scene scene;
-        add(scene, scene_builder::quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), scene_builder::diffuse({1, 1, 1}));
-        return scene;
-    }();
-    return made;
-}
-
 /// Uniform light, each photon as bright as chance has it.
 std::vector<HitBatch> random_batches(std::size_t count, Generator& generator) {
     std::vector<HitBatch> batches(count);
     for (HitBatch& hits : batches) {
-        irradiate_quad(hits, one_quad(), 0, 1024, generator, diffusely_onto({0, 0, 1}));
+        irradiate_quad(hits, unit_floor(), 0, 1024, generator, diffusely_onto({0, 0, 1}));
         for (common::Rgb& flux : hits.flux) flux *= uniform(generator);
     }
     return batches;
@@ -77,14 +69,14 @@ Sums sums_of_floats(std::span<const HitBatch> batches, int threads) {
 std::vector<common::Rgb> answers_of(std::span<const HitBatch> batches, int threads) {
     const auto most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     return common::ThreadPool(std::min(threads, static_cast<int>(most))).run([&] {
-        photonmap::CompactPhotonSink sink(one_quad(), nearest(50, 0.1));
+        photonmap::CompactPhotonSink sink(unit_floor(), nearest(50, 0.1));
         sink.consume(batches);
         const auto map = std::move(sink).finish(1);
         std::vector<common::Rgb> answers;
         for (int i = 0; i < 64; ++i)
             answers.push_back(map.irradiance(scene_builder::front_of(
-                one_quad(), scene_builder::on_quad(0, 0.11f + 0.1f * static_cast<float>(i % 8),
-                                                   0.12f + 0.1f * static_cast<float>(i / 8)))));
+                unit_floor(), scene_builder::on_quad(0, 0.11f + 0.1f * static_cast<float>(i % 8),
+                                                     0.12f + 0.1f * static_cast<float>(i / 8)))));
         return answers;
     });
 }
@@ -103,7 +95,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         curve_at("photon map: answers that differ, of 64", places, none),
         curve_at("light map: sums that differ, of 28", places, none),
         curve_at("light map: hits/s over those of one thread", places, none, Expected::shown)};
-    const shlm::PreparedTexels texels = texels_of(one_quad(), 1);
+    const shlm::PreparedTexels texels = texels_of(unit_floor(), 1);
     const bool floats = run.has_mutation("every thread has floats of its own");
 
     run.for_each_seed([&](std::uint64_t seed) {

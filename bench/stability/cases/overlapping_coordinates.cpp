@@ -13,8 +13,6 @@ constexpr double radius = 0.05;  // of the photon map
 constexpr std::size_t texels_of_a_quad = 40 * 40;
 constexpr std::uint32_t lit_quad = 0, dark_quad = 2;  // first triangles
 
-using SurfaceTexel = shlm::TexelModel<0, shlm::ShWeight::normalised>;
-
 /// Two quads of 1 x 1, one mesh. Each has half of the lightmap's width; the part `overlap` of it is the
 /// other's too.
 common::Scene two_quads(double overlap, float apart) {
@@ -113,8 +111,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             irradiate_quad(hits, scene, lit_quad, run.either<std::size_t>(80'000, 20'000), generator,
                            always({0, 0, -1}));
             const auto photon_map = photon_map_of(scene, hits, within(scene, radius));
-            const auto own = light_map_of<SurfaceTexel>(texels, hits, shlm::OwnTexel{});
-            const auto nearest = light_map_of<SurfaceTexel>(texels, hits, shlm::NearestTexels{4});
+            const auto own = light_map_of<FlatModel>(texels, hits, shlm::OwnTexel{});
+            const auto nearest = light_map_of<FlatModel>(texels, hits, shlm::NearestTexels{4});
             const auto lit = points_on(scene, lit_quad, 0, generator),
                        dark = points_on(scene, dark_quad, 0, generator);
             curves[1].points[i].measured.push_back(mean_irradiance(photon_map, dark));

@@ -9,9 +9,6 @@ namespace {
 using common::SurfacePoint;
 using common::Vec3;
 
-template <int Order>
-using HarmonicModel = shlm::TexelModel<Order, shlm::ShWeight::radiance>;
-
 constexpr double width = 2;  ///< of a floor that is one texel
 
 /// With bands 1 and 2 times sqrt(3) / 2 and 4/5 the series 1/4 + x/2 + 5/16 (3 x^2 - 1) / 2 becomes a square

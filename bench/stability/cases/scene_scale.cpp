@@ -41,7 +41,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     run.for_each_seed([&](std::uint64_t seed) {
         const auto answers_in = [&](const ScaledBox& box) {
             const auto photons = common::photons_per_block * run.either<std::uint64_t>(8, 1);
-            return answers_in_box(box.scene, box.texels, traced(box.scene, seed, photons).hits,
+            return answers_in_box(box.scene, box.texels, traced(box.scene, seed, {.photons = photons}).hits,
                                   0.4 * (absolute ? 1 : box.scale), std::pow(box.scale, lengths),
                                   Generator(seed));
         };

@@ -92,12 +92,12 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     run.for_each_seed([&](std::uint64_t seed) {
         for (std::size_t i = 0; i < std::size(sizes); ++i) {
             const common::Scene& scene = scenes[i];
-            auto [hits, report] = traced(scene, seed, run.either<std::uint64_t>(1'000'000, 40'000));
+            auto [hits, report] =
+                traced(scene, seed, {.photons = run.either<std::uint64_t>(1'000'000, 40'000)});
             if (brighter) keep_every_other(hits);
             const auto photon_map =
                 map_of(photonmap::GridPhotonSink(scene, within(scene, disc_radius)), hits);
-            using Flat = shlm::TexelModel<0, shlm::ShWeight::normalised>;
-            const auto light_map = light_map_of<Flat>(prepared[i], hits, shlm::OwnTexel{});
+            const auto light_map = light_map_of<FlatModel>(prepared[i], hits, shlm::OwnTexel{});
             Counted in_discs, in_texels;
             for (int place = 0; place < side * side; ++place) {
                 const common::SurfacePoint point = scene_builder::front_of(

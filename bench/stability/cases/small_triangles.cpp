@@ -10,8 +10,6 @@ using common::SurfacePoint;
 
 constexpr double radius = 0.1;  // of the photon map
 
-using SurfaceTexel = shlm::TexelModel<0, shlm::ShWeight::normalised>;
-
 /// 1 W in `count` photons, anywhere on the floor.
 common::HitBatch irradiate(const TiledFloor& floor, std::size_t count, Generator& generator) {
     const float flux = 1 / static_cast<float>(count);
@@ -41,7 +39,7 @@ double flux_of(const common::HitBatch& hits) {
     return sum;
 }
 
-double flux_of(const shlm::LightMap<SurfaceTexel>& map) {
+double flux_of(const shlm::LightMap<FlatModel>& map) {
     double sum = 0;
     for (const auto& texel : map.texels())
         sum += double{texel.light[0].x} * shlm::evaluate_sh<0>(texel.face.normal)[0] * texel.face.area;
@@ -100,7 +98,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             const auto photon_map = photon_map_of(floor.scene, hits, within(floor.scene, radius));
             const common::HitBatch kept = on_triangles_with_center(floor, hits);
             if (run.has_mutation("triangles without a texel center get no texel")) hits = kept;
-            const auto own = light_map_of<SurfaceTexel>(floor.texels, hits, shlm::OwnTexel{});
+            const auto own = light_map_of<FlatModel>(floor.texels, hits, shlm::OwnTexel{});
             curves[0].points[i].measured.push_back(
                 mean_irradiance(photon_map, points_on(floor, radius, generator)));
             curves[1].points[i].measured.push_back(mean_irradiance(own, points_on(floor, 0, generator)));

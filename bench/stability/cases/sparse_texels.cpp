@@ -6,7 +6,6 @@ namespace bench {
 namespace {
 
 using common::SurfacePoint;
-using SurfaceTexel = shlm::TexelModel<0, shlm::ShWeight::normalised>;
 
 constexpr std::size_t k = 20;  // photons in a gather
 
@@ -36,8 +35,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         for (std::size_t i = 0; i < std::size(places); ++i) {
             const common::HitBatch hits = floor.hits(places[i], generator);
             const auto photon_map = photon_map_of(floor.scene, hits, nearest(k, 0.5));
-            const auto own = light_map_of<SurfaceTexel>(floor.texels, hits, shlm::OwnTexel{});
-            const auto four = light_map_of<SurfaceTexel>(floor.texels, hits, shlm::NearestTexels{4});
+            const auto own = light_map_of<FlatModel>(floor.texels, hits, shlm::OwnTexel{});
+            const auto four = light_map_of<FlatModel>(floor.texels, hits, shlm::NearestTexels{4});
             curves[0].points[i].measured.push_back(mean_of(photon_map, middle, square_of_error));
             curves[1].points[i].measured.push_back(mean_of(own, among_four, square_of_error));
             curves[2].points[i].measured.push_back(mean_of(four, among_four, square_of_error));

@@ -70,7 +70,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             const double width = texels_along * sizes[i];
             const HitBatch hits = photons_of_lamp(floor, run.either<std::size_t>(500'000, 20'000), generator);
             const auto photon_map = photon_map_of(floor, hits, within(floor, gathered * sizes[i]));
-            const auto light_map = light_map_of<PlainModel>(prepared[i], hits, shlm::OwnTexel{});
+            const auto light_map = light_map_of<FlatModel>(prepared[i], hits, shlm::OwnTexel{});
             curves[0].points[i].measured.push_back(loss_read_by(photon_map, floor, width));
             curves[1].points[i].measured.push_back(loss_read_by(light_map, floor, width));
         }

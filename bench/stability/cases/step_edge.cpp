@@ -84,9 +84,9 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
                     sums[curve][i] += mean_along(map, floor, edge + places[i], generator);
             };
             add(0, photon_map_of(floor, hits, within(floor, gathered)));
-            add(1, light_map_of<PlainModel>(prepared, hits, own));
-            add(2, light_map_of<PlainModel>(prepared, hits, shlm::Bilinear{}));
-            add(3, light_map_of<PlainModel>(prepared, hits, shlm::NearestTexels{4}));
+            add(1, light_map_of<FlatModel>(prepared, hits, own));
+            add(2, light_map_of<FlatModel>(prepared, hits, shlm::Bilinear{}));
+            add(3, light_map_of<FlatModel>(prepared, hits, shlm::NearestTexels{4}));
         }
         for (std::size_t curve = 0; curve < curves.size(); ++curve)
             for (std::size_t i = 0; i < std::size(places); ++i)

@@ -81,7 +81,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             const auto add_light_map = [&](std::size_t curve, const auto& prepared, const auto& photons_of,
                                            const shlm::Gather& gather, const auto& asked) {
                 curves[curve].points[i].measured.push_back(
-                    mean_irradiance(light_map_of<PlainModel>(prepared, photons_of, gather), asked));
+                    mean_irradiance(light_map_of<FlatModel>(prepared, photons_of, gather), asked));
             };
             add_light_map(0, together.prepared, hits, shlm::OwnTexel{}, points);
             add_light_map(1, together.prepared, hits, shlm::Bilinear{}, points);

@@ -15,8 +15,6 @@ constexpr double slope = 0.9;               // of the irradiance 1 + slope x, W/
 constexpr double off_middle = 0.3;          // of its row of texels: how far each point lies, in texels
 constexpr double radius = 2 * texel_width;  // of the photon map
 
-using SurfaceTexel = shlm::TexelModel<0, shlm::ShWeight::normalised>;
-
 /// One floor for the eye, two charts for the lightmap: cut at x = 0.
 const common::Scene& cut_floor() {
     static const common::Scene made = [] {
@@ -99,7 +97,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         irradiate_chart(hits, 0, run.either(400, 160), generator);
         const std::size_t left = hits.size();
         irradiate_chart(hits, 1, run.either(400, 160), generator);
-        shlm::Sink<SurfaceTexel> sink(texels, own, quantum_of(hits));
+        shlm::Sink<FlatModel> sink(texels, own, quantum_of(hits));
         sink.add(hits);
         if (run.has_mutation("the photon map has charts")) hits.resize(left);
         const auto photon_map = photon_map_of(scene, hits, within(scene, radius));

@@ -83,8 +83,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         const auto photon_map = photon_map_of(scene, hits, within(scene, radius));
         const auto endless = photon_map.with_gather(nearest(nearest_photons, width));
         const auto ending = photon_map.with_gather(nearest(nearest_photons, capped));
-        const auto own = light_map_of<PlainModel>(prepared, hits, shlm::OwnTexel{});
-        const auto near_texels = light_map_of<PlainModel>(prepared, hits, shlm::NearestTexels{texels});
+        const auto own = light_map_of<FlatModel>(prepared, hits, shlm::OwnTexel{});
+        const auto near_texels = light_map_of<FlatModel>(prepared, hits, shlm::NearestTexels{texels});
         for (std::size_t i = 0; i < std::size(places); ++i) {
             const auto points = points_at(places[i]);
             curves[0].points[i].measured.push_back(mean_irradiance(photon_map, points));

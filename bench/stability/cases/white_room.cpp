@@ -44,8 +44,9 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
 
     run.for_each_seed([&](std::uint64_t seed) {
         for (std::size_t i = 0; i < std::size(albedos); ++i) {
-            const auto [hits, report] = traced(white_and_black_room(static_cast<float>(albedos[i])), seed,
-                                               common::photons_per_block * run.either<std::uint64_t>(8, 1));
+            const auto [hits, report] =
+                traced(white_and_black_room(static_cast<float>(albedos[i])), seed,
+                       {.photons = common::photons_per_block * run.either<std::uint64_t>(8, 1)});
             // The black walls end each of their photons at its first arrival.
             const auto in_black = static_cast<double>(std::count_if(
                 hits.surface.begin(), hits.surface.end(),

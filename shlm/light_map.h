@@ -2,12 +2,11 @@
 // 2005).
 #pragma once
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <span>
 #include <vector>
 
 #include "common/estimator/irradiance_estimator.h"
+#include "shlm/texel_blocks.h"
 #include "shlm/texel_lookup.h"
 #include "shlm/texel_model.h"
 #include "shlm/texel_sums.h"
@@ -26,10 +25,11 @@ template <class Model>
 class LightMap {
   public:
     /// `sums` are of the same layout as `texels`, which must outlive the map; `watts_per_flux` as in
-    /// common::MapSink.
+    /// common::MapSink; `least_hits` as in TexelBlocks.
     LightMap(const TexelSums<Model>& sums, const PreparedTexels& texels, float watts_per_flux,
-             const Gather& gather)
-        : lookup_(make_lookup(texels, gather)), texels_(finished_texels(sums, texels, watts_per_flux)) {}
+             const Gather& gather, std::uint64_t least_hits)
+        : lookup_(make_lookup(texels, gather)),
+          texels_(finished_texels(sums, texels, watts_per_flux, least_hits)) {}
 
     /// Irradiance for the shading normal, W/m^2: the weighted mean over the texels that the lookup finds.
     /// Never negative. Zero where it finds none.
@@ -53,30 +53,34 @@ class LightMap {
     [[nodiscard]] std::span<const Texel<Model>> texels() const { return texels_; }
 
   private:
-    static Texel<Model> finished_texel(const TexelSum<Model>& sum, const TexelGeometry& geometry,
-                                       float watts_per_flux) {
-        const double scale = geometry.area > 0 ? static_cast<double>(watts_per_flux) / geometry.area : 0;
-        std::array<common::Rgb, Model::summed> mean;
-        for (std::size_t i = 0; i < Model::summed; ++i)
-            for (std::size_t c = 0; c < 3; ++c)
-                mean[i][static_cast<int>(c)] = static_cast<float>(sum.value[3 * i + c] * scale);
-        return {{geometry.normal, geometry.area}, finished_light<Model>(mean, geometry.normal)};
-    }
-
+    /// Those that the lookup holds, in its order.
     [[nodiscard]] std::vector<Texel<Model>> finished_texels(const TexelSums<Model>& sums,
                                                             const PreparedTexels& texels,
-                                                            float watts_per_flux) const {
+                                                            float watts_per_flux,
+                                                            std::uint64_t least_hits) const {
         const std::vector<std::uint32_t> held =
             std::visit([&](const auto& lookup) { return lookup.held_texels(texels); }, lookup_);
+        std::vector<std::uint32_t> place(texels.geometry.size(), no_texel);
+        for (std::size_t i = 0; i < held.size(); ++i) place[held[i]] = static_cast<std::uint32_t>(i);
+
         std::vector<Texel<Model>> finished(held.size());
-        tbb::parallel_for(std::size_t{0}, held.size(), [&](std::size_t i) {
-            finished[i] = finished_texel(sums[held[i]], texels.geometry[held[i]], watts_per_flux);
-        });
+        const auto show = [&](std::uint32_t texel, const TexelSum<Model>& sum, double area) {
+            if (place[texel] == no_texel) return;
+            const TexelGeometry& geometry = texels.geometry[texel];
+            const double scale = area > 0 ? static_cast<double>(watts_per_flux) / area : 0;
+            std::array<common::Rgb, Model::summed> mean;
+            for (std::size_t i = 0; i < Model::summed; ++i)
+                for (std::size_t c = 0; c < 3; ++c)
+                    mean[i][static_cast<int>(c)] = static_cast<float>(sum.value[3 * i + c] * scale);
+            finished[place[texel]] = {{geometry.normal, geometry.area},
+                                      finished_light<Model>(mean, geometry.normal)};
+        };
+        TexelBlocks(sums, texels, least_hits, show).show_all();
         return finished;
     }
 
     TexelLookup lookup_;
-    std::vector<Texel<Model>> texels_;  ///< those that the lookup holds, in its order
+    std::vector<Texel<Model>> texels_;
 };
 
 }  // namespace shlm

@@ -9,20 +9,22 @@ namespace shlm {
 template <class Model>
 class Sink {
   public:
-    /// `texels` must outlive the sink and its map.
-    Sink(const PreparedTexels& texels, const Gather& gather, const Quantum& quantum)
-        : texels_(&texels), gather_(gather), accumulator_(texels.layout, quantum) {}
+    /// `texels` must outlive the sink and its map; `least_hits` as in TexelBlocks.
+    Sink(const PreparedTexels& texels, const Gather& gather, const Quantum& quantum,
+         std::uint64_t least_hits = default_least_hits)
+        : texels_(&texels), gather_(gather), least_hits_(least_hits), accumulator_(texels.layout, quantum) {}
 
     void consume(std::span<const common::HitBatch> wave) { accumulator_.consume(wave); }
     void add(const common::HitBatch& hits) { accumulator_.add(hits); }
 
     [[nodiscard]] LightMap<Model> finish(float watts_per_flux) const {
-        return finish(watts_per_flux, gather_);
+        return finish(watts_per_flux, gather_, least_hits_);
     }
 
     /// The same light asked in another way.
-    [[nodiscard]] LightMap<Model> finish(float watts_per_flux, const Gather& gather) const {
-        return {accumulator_.sums(), *texels_, watts_per_flux, gather};
+    [[nodiscard]] LightMap<Model> finish(float watts_per_flux, const Gather& gather,
+                                         std::uint64_t least_hits) const {
+        return {accumulator_.sums(), *texels_, watts_per_flux, gather, least_hits};
     }
 
     /// Hits that no texel of the finished map shows. Goes through all texels.
@@ -39,6 +41,7 @@ class Sink {
   private:
     const PreparedTexels* texels_;
     Gather gather_;
+    std::uint64_t least_hits_;
     Accumulator<Model> accumulator_;
 };
 

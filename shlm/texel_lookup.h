@@ -46,8 +46,8 @@ class OwnTexelLookup {
     const TexelLayout* layout_;
 };
 
-/// The four texels around the point in its mesh instance's rectangle of the lightmap, without those that no
-/// triangle covers and those that look another way. Where the lightmap is cut, it does not see across.
+/// The four texels around the point in its mesh instance's rectangle of the lightmap, by their covered areas,
+/// without those that look another way. Where the lightmap is cut, it does not see across.
 class BilinearLookup {
   public:
     /// `texels` must outlive the lookup.
@@ -76,7 +76,8 @@ class BilinearLookup {
                     first + static_cast<std::uint32_t>(y) * triangle.width + static_cast<std::uint32_t>(x);
                 const float across = dx == 0 ? 1 - (at.x - left) : at.x - left;
                 const float down = dy == 0 ? 1 - (at.y - top) : at.y - top;
-                if (face(texel).looks_the_way_of(point)) use(texel, across * down);
+                if (const TexelFace& found = face(texel); found.looks_the_way_of(point))
+                    use(texel, across * down * found.area);
             }
     }
 

@@ -34,8 +34,8 @@ inline common::Image render(const std::string& scene, const std::string& method,
     settings.texels = 16'384;  // a dozen hits for each
     bench::PreparedMethods prepared(loaded, settings);
     const auto pixels = common::visible_surfaces(loaded.rays, loaded.camera, width, height);
-    return bench::render_method(bench::parse_method("golden", method), prepared, {loaded, source, {}, with_seed, {.hits = hits}, {}}, pixels,
-                                width, height);
+    return bench::render_method(bench::parse_method("golden", method), prepared,
+                                {loaded, source, {}, with_seed, {.hits = hits}, {}}, pixels, width, height);
 }
 
 /// What keeps two images from being compared at all: sizes, channels, values that are not finite. Empty where
@@ -85,9 +85,9 @@ inline Difference difference(const OIIO::ImageBuf& image, const OIIO::ImageBuf& 
 /// place, changes nearly all of them. And were a share f of all photons others, the rms would be sqrt(f) of
 /// what it is between two seeds: the second bound is f = 1/100.
 ///
-/// Measured: without optimisation, or compiled for generic x86-64, not a bit changes; with -ffast-math, which rounds
-/// differently all over, one pixel in 5184 and an rms of 0.0004. Between two seeds: 4 pixels of 5, and 0.02
-/// to 0.22.
+/// Measured: without optimisation, or compiled for generic x86-64, not a bit changes; with -ffast-math, which
+/// rounds differently all over, one pixel in 5184 and an rms of 0.0004. Between two seeds: 4 pixels of 5, and
+/// 0.02 to 0.22.
 inline constexpr double max_changed_share = 0.01, max_rms_to_noise = 0.1;
 
 /// What makes `image` another one than `expected`; empty where it is the same. `other_seed` is the same

@@ -51,7 +51,7 @@ HitBatch collimated_light(const Vec3& towards_light) {
 template <class Model = shlm::PaperModel>
 shlm::LightMap<Model> map_of(const PreparedTexels& texels, const HitBatch& hits,
                              const shlm::Gather& gather = NearestTexels{}) {
-    shlm::Sink<Model> sink(texels, gather, quantum_for(hits));
+    shlm::Sink<Model> sink(texels, gather, quantum_for(hits), 0);
     sink.consume(std::span(&hits, 1));
     return sink.finish(1);
 }

@@ -34,7 +34,8 @@ TEST(MethodName, TakesDefaultsForWhatIsLeftOut) {
 TEST(MethodName, StaysAsItIsWhereItIsFull) {
     for (const char* name :
          {"shlm/L0/normalised/own", "shlm/L4/radiance/bilinear", "shlm/L2/radiance/knn8/t65536",
-          "photonmap/flann/k200/cone", "photonmap/flann/k0.05n23/epanechnikov", "photonmap/flann/r0.003/disc",
+          "shlm/L2/radiance/own/h0", "shlm/L2/radiance/bilinear/t64/h28", "photonmap/flann/k200/cone",
+          "photonmap/flann/k0.05n23/epanechnikov", "photonmap/flann/r0.003/disc",
           "photonmap/nanoflann/k0.05n23/cone", "photonmap/compact/k50/cone", "photonmap/grid/r0.01/cone"})
         EXPECT_EQ(full_name(name), name);
 }
@@ -80,7 +81,9 @@ TEST(MethodName, EveryComplaintNamesTheOptionAndTheChoices) {
              {"shlm/L2/radiance/knn4x", {"'knn4x'"}},
              {"shlm/L2/radiance/own/65536", {"'65536'", "t65536"}},
              {"shlm/L2/radiance/own/t0", {"'t0'"}},
-             {"shlm/L2/radiance/own/t64/", {"expected after a whole name"}},
+             {"shlm/L2/radiance/own/t64/", {"''", "h0"}},
+             {"shlm/L2/radiance/own/h-1", {"'h-1'", "h0"}},
+             {"shlm/L2/radiance/own/h50/t64", {"'t64'", "expected after a whole name"}},
              {"photonmap/oak", {"'oak'", "flann", "flann-incremental", "compact"}},
              {"photonmap/flann/k1", {"'k1'", "one photon has no density"}},
              {"photonmap/flann/k2.5", {"'k2.5'"}},

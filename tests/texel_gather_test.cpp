@@ -38,7 +38,7 @@ shlm::LightMap<SomeModel> map_with(const PreparedTexels& texels, const Gather& g
         const float watts = static_cast<float>(value(i)) * texel.area;
         if (texel.area > 0) sums.add(i, texel.normal, 1, Rgb(1, 2, 3) * watts);
     }
-    return {sums, texels, 1, gather};
+    return {sums, texels, 1, gather, 0};
 }
 
 /// The same on every texel.

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_neighbours = 100'000;
 constexpr std::size_t most_texels = 1'000'000'000;
+constexpr std::size_t most_hits = 1'000'000;
 
 /// The parts of a name, taken one by one; each complaint says what was expected in its place.
 class NameParts {
@@ -110,11 +111,18 @@ shlm::Gather take_gather(NameParts& parts) {
     parts.complain(part, fmt::format("own, bilinear, or knnK with K from 1 to {}", most_neighbours));
 }
 
-std::size_t take_texels(NameParts& parts) {
-    if (parts.at_end()) return 0;
-    const std::string part = parts.take("");
-    if (const auto count = count_between("t", part, 1, most_texels)) return *count;
-    parts.complain(part, "a number of texels such as t65536");
+/// What may follow a light map's gather: tTEXELS, hHITS, or both in this order.
+void take_sizes(NameParts& parts, ShlmMethod& method) {
+    if (parts.at_end()) return;
+    std::string part = parts.take("");
+    if (const auto texels = count_between("t", part, 1, most_texels)) {
+        method.texels = *texels;
+        if (parts.at_end()) return;
+        part = parts.take("");
+    }
+    const auto hits = count_between("h", part, 0, most_hits);
+    if (!hits) parts.complain(part, "a number of texels such as t65536, or of hits to a block such as h0");
+    method.least_hits = *hits;
 }
 
 std::string name_of(const shlm::Gather& gather) {
@@ -124,9 +132,11 @@ std::string name_of(const shlm::Gather& gather) {
 }
 
 std::string name_of(const ShlmMethod& method) {
-    return fmt::format("shlm/{}/{}/{}{}", name_of(orders, method.order), name_of(weights, method.weight),
-                       name_of(method.gather),
-                       method.texels > 0 ? fmt::format("/t{}", method.texels) : std::string());
+    std::string name = fmt::format("shlm/{}/{}/{}", name_of(orders, method.order),
+                                   name_of(weights, method.weight), name_of(method.gather));
+    if (method.texels > 0) name += fmt::format("/t{}", method.texels);
+    if (method.least_hits != shlm::default_least_hits) name += fmt::format("/h{}", method.least_hits);
+    return name;
 }
 
 ShlmMethod take_shlm(NameParts& parts) {
@@ -134,7 +144,7 @@ ShlmMethod take_shlm(NameParts& parts) {
     method.order = parts.take_one_of(orders);
     method.weight = parts.take_one_of(weights);
     method.gather = take_gather(parts);
-    method.texels = take_texels(parts);
+    take_sizes(parts, method);
     return method;
 }
 

@@ -91,7 +91,7 @@ auto with_sink(const Method& method, PreparedMethods& prepared, const common::Ph
     if (const ShlmMethod* light_map = method.light_map())
         return with_model(*light_map, [&](auto model) {
             return work(shlm::Sink<decltype(model)>(prepared.texels_of(*light_map), light_map->gather,
-                                                    shlm::Quantum(source.power())));
+                                                    shlm::Quantum(source.power()), light_map->least_hits));
         });
     const PhotonMapMethod& photon_map = *method.photon_map();
     const photonmap::GatherSettings gather = gather_of(photon_map, prepared.settings().max_radius);

@@ -49,7 +49,8 @@ void build_light_map(benchmark::State& state, SharedInputs& inputs, std::size_t 
     replay(recording, accumulator);
     for (auto _ : state) {
         const shlm::LightMap<shlm::PaperModel> map(accumulator.sums(), prepared,
-                                                   recording.report.watts_per_flux(), shlm::NearestTexels{});
+                                                   recording.report.watts_per_flux(), shlm::NearestTexels{},
+                                                   shlm::default_least_hits);
         benchmark::DoNotOptimize(map.bytes());
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(prepared.layout.texel_count()));

@@ -87,11 +87,12 @@ template <common::MapSink Sink>
     return shlm::Quantum({brightest, brightest, brightest});
 }
 
-/// `texels` must outlive the map.
+/// `texels` must outlive the map. Each texel shows its own light, whatever few hits it has, unless
+/// `least_hits` says otherwise.
 template <class Model = shlm::PaperModel>
 [[nodiscard]] auto light_map_of(const shlm::PreparedTexels& texels, const common::HitBatch& hits,
-                                const shlm::Gather& gather) {
-    return map_of(shlm::Sink<Model>(texels, gather, quantum_of(hits)), hits);
+                                const shlm::Gather& gather, std::uint64_t least_hits = 0) {
+    return map_of(shlm::Sink<Model>(texels, gather, quantum_of(hits), least_hits), hits);
 }
 
 /// Mean over the channels and the points.

@@ -16,6 +16,37 @@ namespace bench {
     return count;
 }
 
+/// P(x) of a Poisson number x with this mean.
+[[nodiscard]] inline double poisson_probability(double mean, int x) {
+    return std::exp(x * std::log(mean) - mean - std::lgamma(x + 1.0));
+}
+
+/// P(at least `least`).
+[[nodiscard]] inline double poisson_tail(double mean, int least) {
+    double below = 0;
+    for (int x = 0; x < least; ++x) below += poisson_probability(mean, x);
+    return std::max(0.0, 1 - below);
+}
+
+/// The mean of `use(irradiance / truth)` over texels of even light in blocks of `least_hits`
+/// (shlm/texel_blocks.h), where `hits_per_texel` fall on each on average: a block of m hits on average shows
+/// x of them, which is x / m, if it has less than least_hits and its parent, with a Poisson number of hits in
+/// its other three quarters, has as many. A texel is a block in any case. `levels`: how often the whole is
+/// divided.
+template <class Use>
+[[nodiscard]] double mean_over_blocks(double hits_per_texel, int least_hits, int levels, Use use) {
+    double sum = 0;
+    for (int level = 0; level <= levels; ++level) {
+        const double mean = hits_per_texel * std::pow(4.0, level);
+        const int most = level > 0 ? least_hits - 1 : static_cast<int>(mean + 20 * std::sqrt(mean) + 50);
+        for (int x = 0; x <= most; ++x) {
+            const double divided = level == levels ? 1 : poisson_tail(3 * mean, std::max(0, least_hits - x));
+            sum += poisson_probability(mean, x) * divided * use(x / mean);
+        }
+    }
+    return sum;
+}
+
 /// Independent hits of vertical light on the quad that is the scene's first, `expected` of them on average;
 /// each has the share of 1 W/m^2 that it has on average.
 [[nodiscard]] inline common::HitBatch poisson_hits(const common::Scene& scene, double expected,
@@ -31,7 +62,7 @@ namespace bench {
 /// A floor of 1 x 1 with 64 x 64 texels.
 class SparseFloor {
   public:
-    static constexpr int texels_along = 64;
+    static constexpr int texels_along = 64, levels = 6;  // 64 = 2^6
 
     /// `hits_per_texel` hits to a texel on average, a Poisson number to each and independent.
     [[nodiscard]] common::HitBatch hits(double hits_per_texel, Generator& generator) const {
@@ -50,6 +81,12 @@ class SparseFloor {
 
     [[nodiscard]] common::SurfacePoint middle_of_texel(int i, int j) const {
         return at((i + 0.5) / texels_along, (j + 0.5) / texels_along);
+    }
+    [[nodiscard]] std::vector<common::SurfacePoint> middles_of_texels() const {
+        std::vector<common::SurfacePoint> points;
+        for (int j = 0; j < texels_along; ++j)
+            for (int i = 0; i < texels_along; ++i) points.push_back(middle_of_texel(i, j));
+        return points;
     }
 
     /// 5 x 5 points far from the floor's edges.

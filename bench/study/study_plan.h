@@ -16,6 +16,7 @@ struct StudyOptions {
     std::vector<std::string> methods = {"shlm/L2/radiance/knn4",
                                         "shlm/L2/radiance/own",
                                         "shlm/L2/radiance/bilinear",
+                                        "shlm/L2/radiance/knn4/h0",
                                         "shlm/L2/radiance/knn8",
                                         "shlm/L0/normalised/knn4",
                                         "shlm/L1/radiance/knn4",

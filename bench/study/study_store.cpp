@@ -18,7 +18,8 @@ void finish_store(shlm::Sink<Model>& sink, const std::vector<Method>& methods, c
                   const common::TraceReport& trace, const UseMap& use) {
     for (const Method& method : methods) {
         const common::Stopwatch build;
-        const auto map = sink.finish(trace.watts_per_flux(), method.light_map()->gather);
+        const auto map =
+            sink.finish(trace.watts_per_flux(), method.light_map()->gather, method.light_map()->least_hits);
         StudyMap result = study_map(method, map, build.seconds());
         result.insert_bytes = sink.bytes();
         result.hits_rejected = sink.rejected().total();

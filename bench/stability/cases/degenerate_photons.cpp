@@ -87,7 +87,7 @@ std::size_t differing(const std::vector<float>& a, const std::vector<float>& b) 
 std::size_t wrong_texels(const HitBatch& sound, const HitBatch& offered,
                          std::span<const SurfacePoint> points) {
     static const shlm::PreparedTexels texels = texels_of(unit_floor(), texels_each_way * texels_each_way);
-    shlm::Sink<FlatModel> sink(texels, shlm::OwnTexel{}, shlm::Quantum({1, 1, 1}));
+    shlm::Sink<FlatModel> sink(texels, shlm::OwnTexel{}, shlm::Quantum({1, 1, 1}), 0);
     sink.consume(std::span(&offered, 1));
     const auto map = sink.finish(1.0f);
     const auto texel_at = [](const common::Vec3& p) {

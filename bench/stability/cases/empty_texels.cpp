@@ -39,6 +39,10 @@ double itself(double irradiance) {
     return irradiance;
 }
 
+double dark_in_blocks(double n) {
+    return mean_over_blocks(n, shlm::default_least_hits, SparseFloor::levels, dark);
+}
+
 std::vector<StabilityCurve> run(const CaseRun& run) {
     const SparseFloor floor;
     constexpr double places[] = {0.1, 0.2, 0.4, 0.7, 1, 2, 4};
@@ -51,9 +55,13 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         curve_at("light map, own texel: dark", places, [](double n) { return std::exp(-n); }),
         curve_at("light map, 4 nearest: dark", places_of_four, [](double n) { return std::exp(-4 * n); }),
         curve_at("light map, 4 nearest: mean", places, one),
-        curve_at("light map, empty ones left out: mean", places, mean_of_the_lit)};
-    const std::vector<SurfacePoint> among_four = floor.points_among_four(),
+        curve_at("light map, empty ones left out: mean", places, mean_of_the_lit),
+        curve_at("light map, in blocks of 100 hits: dark", places, dark_in_blocks, Expected::at_most),
+        curve_at("light map, in blocks of 100 hits: mean", places, one)};
+    const std::vector<SurfacePoint> among_four = floor.points_among_four(), all = floor.middles_of_texels(),
                                     middle = floor.points_in_the_middle();
+    const std::uint64_t in_blocks =
+        run.has_mutation("empty texels are not filled") ? 0 : shlm::default_least_hits;
     const bool leave_out = run.has_mutation("empty texels do not count");
     const auto gather = run.has_mutation("the photon map looks as far as a texel reaches")
                             ? within(floor.scene, 0.5 / SparseFloor::texels_along)
@@ -66,6 +74,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             const auto photon_map = photon_map_of(floor.scene, hits, gather);
             const auto own = light_map_of<FlatModel>(floor.texels, hits, shlm::OwnTexel{});
             const auto four = light_map_of<FlatModel>(floor.texels, hits, shlm::NearestTexels{4});
+            const auto blocks = light_map_of<FlatModel>(floor.texels, hits, shlm::OwnTexel{}, in_blocks);
             const double without_empty = mean_without_empty_ones(floor, own);
             curves[0].points[i].measured.push_back(mean_of(photon_map, middle, dark));
             curves[1].points[i].measured.push_back(mean_of(photon_map, middle, itself));
@@ -75,6 +84,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             curves[4].points[i].measured.push_back(leave_out ? without_empty
                                                              : mean_of(four, among_four, itself));
             curves[5].points[i].measured.push_back(without_empty);
+            curves[6].points[i].measured.push_back(mean_of(blocks, all, dark));
+            curves[7].points[i].measured.push_back(mean_of(blocks, all, itself));
         }
     });
     return curves;
@@ -83,17 +94,20 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
 const RegisteredCase registered(
     81,
     {.name = "empty-texels",
-     .purpose = "Texels that no hit has met are black. They are not wrong: to leave them out of a mean makes "
-                "dark places too bright.",
+     .purpose = "Texels that no hit has met are black, as long as each shows what it has itself. To leave "
+                "them out of a mean makes dark places too bright.",
      .scene = "A floor of 1 x 1 with 64 x 64 texels under vertical light of 1 W/m^2, and so few hits that "
               "each texel has a Poisson number of them.",
      .swept = "hits to a texel, on average: n",
      .measured = "part that reads 0; mean of irradiance / truth",
-     .theory = "Black: e^-n of the own texels, e^-4n of the 4 nearest, no gather of the k nearest photons. "
-               "Means are right, but those without the empty texels: 1 + e^-n + e^-2n + e^-3n.",
-     .advice = "3 hits or more to a texel, 4 nearest texels, and no filling of the dark ones: "
-               "render --texels sets their number.",
-     .mutations = {"empty texels do not count", "the photon map looks as far as a texel reaches"},
+     .theory =
+         "Black: e^-n of the own texels, e^-4n of the 4 nearest, no gather of the k nearest photons; in "
+         "blocks of 100 hits those whose parent has 100, which is one in 1e11. Means are right, but "
+         "those without the empty texels: 1 + e^-n + e^-2n + e^-3n.",
+     .advice = "Nothing to do: blocks of texels share their light until they hold 100 hits, and none of it "
+               "is made or lost. /h0 after a method's name shows the texels themselves.",
+     .mutations = {"empty texels do not count", "empty texels are not filled",
+                   "the photon map looks as far as a texel reaches"},
      .run = run,
      .logarithmic_swept = true});
 

@@ -109,9 +109,9 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             }
         };
         measure(curves[0], photon_map);
-        measure(curves[1], sink.finish(1, own));
-        measure(curves[2], sink.finish(1, bilinear));
-        measure(curves[3], sink.finish(1, nearest));
+        measure(curves[1], sink.finish(1, own, 0));
+        measure(curves[2], sink.finish(1, bilinear, 0));
+        measure(curves[3], sink.finish(1, nearest, 0));
     });
     return curves;
 }

@@ -1,0 +1,52 @@
+// What is done with files that anybody may have written: each returns the line that refuses the file, or
+// nothing if it is sound.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "common/core/input_error.h"
+#include "common/gltf/load_gltf.h"
+#include "common/scene/fingerprint.h"
+#include "common/tracer/photon_source.h"
+#include "shlm/map_file.h"
+#include "shlm/prepared_texels.h"
+
+namespace fuzz {
+
+/// All that commands do with a scene before they trace.
+inline std::string trouble_of_scene(const std::filesystem::path& file) {
+    constexpr std::size_t many = 100'000;  // triangles: nothing new, but slow
+    try {
+        const common::Scene scene = common::load_gltf(file);
+        if (scene.triangle.size() > many) return {};
+        (void)common::fingerprint(scene);
+        const auto uv = shlm::find_lightmap_uv(scene);
+        (void)shlm::describe_lightmap_trouble(scene, uv);
+        const shlm::PreparedTexels texels(scene, uv, 64);
+        const common::PhotonSource source(scene);
+    } catch (const common::InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+/// As a run that goes on and a merge read it.
+inline std::string trouble_of_checkpoint(const std::filesystem::path& file) {
+    constexpr std::size_t many = 1 << 20;  // pixels
+    try {
+        shlm::MapFileReader in(file);
+        if (in.size().pixels() > many) return {};
+        (void)shlm::MapIdentity{}.difference(in.run().identity);
+        (void)in.run().report();
+        std::vector<std::int64_t> planes(3 * in.size().pixels());
+        for (std::uint64_t number = 0; number < in.size().numbers; ++number) in.read_number(planes);
+        in.read_hits(std::span(planes).first(in.size().pixels()));
+        in.check();
+    } catch (const common::InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+}  // namespace fuzz

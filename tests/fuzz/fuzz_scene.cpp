@@ -1,0 +1,26 @@
+// Any bytes as a scene: it loads, and can be given texels, or there is one line that says what is wrong.
+#include <cstdlib>
+#include <cstring>
+
+#include "tests/fuzz/broken_file.h"
+#include "tests/fuzz/mutate_gltf.h"
+#include "tests/fuzz/scratch_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const fuzz::ScratchFile file(".glb", std::span(data, size));
+    if (fuzz::trouble_of_scene(file.path()).find('\n') != std::string::npos) std::abort();
+    return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                                               unsigned seed) {
+    if (seed % 4 != 0)
+        if (const auto mutated = fuzz::mutated_gltf(std::span(data, size), seed);
+            mutated && mutated->size() <= max_size) {
+            std::memcpy(data, mutated->data(), mutated->size());
+            return mutated->size();
+        }
+    return LLVMFuzzerMutate(data, size, max_size);
+}

@@ -24,7 +24,7 @@ int CoverageGrid::cell_of(float value, int axis) const {
 
 template <class Visit>
 void CoverageGrid::for_each_sample_in(const UvTriangle& triangle, Visit visit) const {
-    const auto& [a, b, c] = triangle;
+    const Vec2 &a = triangle[0], &b = triangle[1], &c = triangle[2];
     const auto first = [&](int axis) {
         return std::max(cell_of(std::min({a[axis], b[axis], c[axis]}), axis) - 1, 0);
     };

@@ -19,30 +19,33 @@ struct WorldRectangle {
     int faces = 1;
 };
 
-/// Mean length in the world of a unit step along u and along v, weighted by area.
-Vec2 mean_stretch(const Scene& scene, const MeshInstance& instance, int set) {
-    double sum_u = 0, sum_v = 0, area = 0;
+/// Mean length in the world of a unit step along u and along v, weighted by area. In double: positions may be
+/// 1e18 apart, and lightmap coordinates as near to each other as floats can be.
+Imath::V2d mean_stretch(const Scene& scene, const MeshInstance& instance, int set) {
+    Imath::V2d sum(0, 0);
+    double area = 0;
     for (std::uint32_t t = instance.first_triangle; t < instance.first_triangle + instance.triangle_count;
          ++t) {
         const auto [a, b, c] = scene.triangle[t];
         const auto& uv = scene.texcoord[set];
-        const Vec2 duv1 = uv[b] - uv[a], duv2 = uv[c] - uv[a];
-        const Vec3 edge1 = scene.position[b] - scene.position[a],
-                   edge2 = scene.position[c] - scene.position[a];
-        const float determinant = duv1.x * duv2.y - duv1.y * duv2.x;
+        const Imath::V2d origin(uv[a]), duv1 = Imath::V2d(uv[b]) - origin, duv2 = Imath::V2d(uv[c]) - origin;
+        const Imath::V3d corner(scene.position[a]), edge1 = Imath::V3d(scene.position[b]) - corner,
+                                                    edge2 = Imath::V3d(scene.position[c]) - corner;
+        const double determinant = duv1.x * duv2.y - duv1.y * duv2.x;
         if (determinant == 0) continue;
         const double weight = common::triangle_area(scene, t);
-        sum_u += weight * ((edge1 * duv2.y - edge2 * duv1.y) / determinant).length();
-        sum_v += weight * ((edge2 * duv1.x - edge1 * duv2.x) / determinant).length();
+        sum += Imath::V2d((edge1 * duv2.y - edge2 * duv1.y).length(),
+                          (edge2 * duv1.x - edge1 * duv2.x).length()) *
+               (weight / std::abs(determinant));
         area += weight;
     }
-    return area > 0 ? Vec2(static_cast<float>(sum_u / area), static_cast<float>(sum_v / area)) : Vec2(1, 1);
+    return area > 0 ? sum / area : Imath::V2d(1, 1);
 }
 
 WorldRectangle world_rectangle(const Scene& scene, const MeshInstance& instance, const LightmapUv& uv) {
-    const Vec2 stretch = mean_stretch(scene, instance, uv.texcoord_set);
-    const Vec2 size = uv.bounds.size();
-    const double aspect = (double{stretch.x} * size.x) / (double{stretch.y} * size.y);
+    const Imath::V2d stretch = mean_stretch(scene, instance, uv.texcoord_set);
+    const Imath::V2d size(uv.bounds.size());
+    const double aspect = (stretch.x * size.x) / (stretch.y * size.y);
     const double area = uv.area / uv.covered_fraction;
     return {std::sqrt(area * aspect), std::sqrt(area / aspect),
             scene.material[instance.material].double_sided ? 2 : 1};

@@ -23,7 +23,7 @@ class MedianTree {
     }
 
   private:
-    static constexpr std::size_t leaf_size = 16;
+    static constexpr std::size_t leaf_size = 8;
 
     void build(std::size_t begin, std::size_t end, int axis) {
         if (end - begin <= leaf_size) return;

@@ -89,14 +89,12 @@ class NanoflannIndex {
 
     /// nanoflann adds up the distance to a cell with rounding errors; the slack keeps it from skipping a cell
     /// by one of them.
-    static auto search_parameters() {
-        constexpr float slack = -1e-5f;
+    static constexpr float slack = -1e-5f;
 #if NANOFLANN_VERSION < 0x150
-        return nanoflann::SearchParams(0, slack, false);
+    static nanoflann::SearchParams search_parameters() { return {0, slack, false}; }
 #else
-        return nanoflann::SearchParameters(slack, false);
+    static nanoflann::SearchParameters search_parameters() { return {slack, false}; }
 #endif
-    }
 
     std::unique_ptr<const Tree> tree_;  ///< none where there are no points
     std::size_t bytes_ = 0;

@@ -72,7 +72,7 @@ double decisions(const Index& index, const std::vector<Vec3>& points, std::size_
 
 std::vector<StabilityCurve> run(const CaseRun& run) {
     const std::vector<double> sizes =
-        run.full() ? std::vector<double>{1e4, 1e5, 1e6} : std::vector<double>{3e3, 1e4, 1e5};
+        run.full() ? std::vector<double>{1e4, 1e5, 1e6} : std::vector<double>{3e3, 1e4, 2e5};
     const std::size_t queries = run.either<std::size_t>(2000, 300);
     const std::size_t nearest = 50;
     const bool at_median = run.has_mutation("compact puts its planes at the median");

@@ -21,6 +21,8 @@
 #include <optional>
 
 #include "common/core/input_error.h"
+#include "common/core/writable_folder.h"
+#include "shlm/exr_headers.h"
 #include "shlm/texel_sums.h"
 
 namespace shlm {
@@ -75,6 +77,9 @@ class FileStream : public Imf::OStream {
 };
 
 constexpr std::array<const char*, 3> colors = {"R", "G", "B"};
+
+/// Of a map's picture: 2^32 texels on shelves (TexelAtlas) need no more.
+constexpr int largest_side = 1 << 18;
 
 // Parts, in the file's order.
 constexpr int preview_part = 0, first_number_part = 1;
@@ -194,12 +199,21 @@ MapFileWriter::MapFileWriter(fs::path file, const MapRun& run, const MapFileSize
     std::vector<Imf::Header> headers;
     for (int part = 0; part <= checksum_part(size); ++part) headers.push_back(header_of(part, size));
     for (const auto& [key, text] : to_notes(run)) headers[0].insert(key, Imf::StringAttribute(text));
-    guarded([&] { output_ = std::make_unique<Output>(temporary_, headers); });
+    try {
+        guarded([&] { output_ = std::make_unique<Output>(temporary_, headers); });
+    } catch (const InputError&) {
+        remove_temporary();  // no destructor does it for what was never made
+        throw;
+    }
 }
 
 MapFileWriter::~MapFileWriter() {
     if (!output_) return;
     output_.reset();
+    remove_temporary();
+}
+
+void MapFileWriter::remove_temporary() const {
     std::error_code ignored;
     fs::remove(temporary_, ignored);
 }
@@ -260,7 +274,7 @@ void MapFileWriter::finish() {
 
 class MapFileReader::Input {
   public:
-    explicit Input(const fs::path& file) : exr_(file.c_str()) {}
+    explicit Input(const fs::path& file) : exr_(limited(file).c_str()) {}
 
     [[nodiscard]] const Imf::MultiPartInputFile& exr() const { return exr_; }
 
@@ -271,6 +285,12 @@ class MapFileReader::Input {
     }
 
   private:
+    /// OpenEXR makes room for as many lines as a header asks for before it looks how long the file is.
+    static const fs::path& limited(const fs::path& file) {
+        Imf::Header::setMaxImageSize(largest_side, largest_side);
+        return file;
+    }
+
     Imf::MultiPartInputFile exr_;
 };
 
@@ -322,6 +342,7 @@ MapFileReader::MapFileReader(fs::path file) : file_(std::move(file)) {
         std::error_code error;
         const auto bytes = fs::file_size(file_, error);
         if (error) throw InputError(error.message());
+        check_exr_headers(file_);
         input_ = std::make_unique<Input>(file_);
         const Imf::Header& first = input_->exr().header(0);
         run_ = map_run_of(notes_in(first));
@@ -378,7 +399,7 @@ void check_map_output(const std::string& option, const fs::path& file) {
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored))
         throw InputError(fmt::format("{}: there is no folder {}", option, folder.string()));
-    if (access(folder.c_str(), W_OK) != 0)
+    if (!common::is_writable_folder(folder))
         throw InputError(fmt::format("{}: {} cannot be written to", option, folder.string()));
     if (fs::is_directory(file, ignored))
         throw InputError(fmt::format("{}: {} is a folder", option, file.string()));

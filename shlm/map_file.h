@@ -53,6 +53,7 @@ class MapFileWriter {
 
     template <class Work>
     void guarded(Work work);
+    void remove_temporary() const;
     void write_planes(int part, std::span<const std::int64_t> planes);
     void write_preview(std::span<const std::int64_t> channels);
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -34,6 +35,7 @@ class TemporaryDirectory {
     TemporaryDirectory() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
         std::string name = std::string("gltf_") + test->test_suite_name() + "_" + test->name() + "_XXXXXX";
+        std::replace(name.begin(), name.end(), '/', '_');  // of tests with parameters
         std::string path = (std::filesystem::temp_directory_path() / name).string();
         if (mkdtemp(path.data()) == nullptr) throw std::runtime_error("no temporary directory");
         path_ = path;

@@ -1,11 +1,11 @@
 #include "bench/app/image_output.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "common/core/input_error.h"
+#include "common/core/writable_folder.h"
 
 namespace bench {
 
@@ -16,7 +16,7 @@ void check_image_output(const std::string& file, int width, int height) {
     std::error_code ignored;  // a path that cannot be looked at is no folder either
     if (!std::filesystem::is_directory(folder, ignored))
         throw common::InputError(fmt::format("--out: there is no folder {}", folder.string()));
-    if (access(folder.c_str(), W_OK) != 0)
+    if (!common::is_writable_folder(folder))
         throw common::InputError(fmt::format("--out: {} cannot be written to", folder.string()));
     if (std::filesystem::is_directory(out, ignored))
         throw common::InputError(fmt::format("--out: {} is a folder", out.string()));

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "common/core/input_error.h"
+#include "common/core/writable_folder.h"
 
 namespace bench {
 
@@ -17,7 +18,7 @@ void prepare_output_folder(const std::string& option, const fs::path& folder) {
     if (error)
         throw common::InputError(
             fmt::format("{}: {} cannot be made: {}", option, folder.string(), error.message()));
-    if (access(folder.c_str(), W_OK) != 0)
+    if (!common::is_writable_folder(folder))
         throw common::InputError(fmt::format("{}: {} cannot be written to", option, folder.string()));
 }
 

@@ -91,13 +91,48 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     return curves;
 }
 
+bool in_shadow(double x, double y) {
+    return (x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5) < 0.04;
+}
+
+/// Truth, the 50 nearest photons, the 4 nearest texels alone, and in blocks, side by side: 3 hits to a texel,
+/// but for a round shadow.
+std::optional<common::Image> picture() {
+    constexpr int size = 192, panels = 4;
+    const SparseFloor floor;
+    Generator generator(1);
+    const common::HitBatch offered = floor.hits(3, generator);
+    common::HitBatch hits;
+    for (std::size_t i = 0; i < offered.size(); ++i)
+        if (!in_shadow(offered.position[i].x, offered.position[i].y))
+            hits.push_back(offered.position[i], offered.direction[i], offered.flux[i], offered.surface[i]);
+    const auto photon_map = photon_map_of(floor.scene, hits, nearest(50, 0.5));
+    const auto alone = light_map_of<FlatModel>(floor.texels, hits, shlm::NearestTexels{4});
+    const auto blocks =
+        light_map_of<FlatModel>(floor.texels, hits, shlm::NearestTexels{4}, shlm::default_least_hits);
+
+    common::Image image{panels * size, size, {"R", "G", "B"}, {}};
+    for (int row = 0; row < size; ++row)
+        for (int column = 0; column < panels * size; ++column) {
+            const double x = (column % size + 0.5) / size, y = (row + 0.5) / size;
+            const SurfacePoint point = on_unit_floor(static_cast<float>(x), static_cast<float>(y));
+            const common::Rgb truth(in_shadow(x, y) ? 0.0f : 1.0f);
+            const common::Rgb answers[panels] = {truth, photon_map.irradiance(point), alone.irradiance(point),
+                                                 blocks.irradiance(point)};
+            const common::Rgb& answer = answers[column / size];
+            image.values.insert(image.values.end(), {answer.x, answer.y, answer.z});
+        }
+    return image;
+}
+
 const RegisteredCase registered(
     81,
     {.name = "empty-texels",
      .purpose = "Texels that no hit has met are black, as long as each shows what it has itself. To leave "
                 "them out of a mean makes dark places too bright.",
      .scene = "A floor of 1 x 1 with 64 x 64 texels under vertical light of 1 W/m^2, and so few hits that "
-              "each texel has a Poisson number of them.",
+              "each texel has a Poisson number of them. Pictures: truth, 50 nearest photons, 4 nearest "
+              "texels alone and in blocks, 3 hits to a texel.",
      .swept = "hits to a texel, on average: n",
      .measured = "part that reads 0; mean of irradiance / truth",
      .theory =
@@ -109,7 +144,8 @@ const RegisteredCase registered(
      .mutations = {"empty texels do not count", "empty texels are not filled",
                    "the photon map looks as far as a texel reaches"},
      .run = run,
-     .logarithmic_swept = true});
+     .logarithmic_swept = true,
+     .picture = picture});
 
 }  // namespace
 }  // namespace bench

@@ -113,7 +113,8 @@ const RegisteredCase registered(
                    "the wall: 0. Photon map with pi r^2 = h^2: s((1 - f) h / 2 r), s the disc's part on the "
                    "lit side.",
          .advice = "Give the rooms charts of their own that end at the wall, and ask the own texel or the "
-                   "bilinear gather. The nearest texels in space see across, as the photon map does.",
+                   "bilinear gather. The nearest texels in space see across, as the photon map does, "
+                   "and so do blocks of fewer than 100 hits in one chart.",
          .mutations = {"the chart runs under the wall", "the disc is twice as wide"},
          .run = run});
 

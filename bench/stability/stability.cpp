@@ -62,11 +62,12 @@ class StabilityTable {
 
     /// In place of an earlier row of the same case.
     void add(const Json& row) {
+        const auto name_of = [](const Json& any) { return any["name"].get<std::string>(); };
         Json rows = Json::array();
         for (const StabilityCase* one : stability_cases()) {
-            if (one->name == row["name"]) rows.push_back(row);
+            if (one->name == name_of(row)) rows.push_back(row);
             for (const Json& other : document_["rows"])
-                if (other["name"] == one->name && other["name"] != row["name"]) rows.push_back(other);
+                if (name_of(other) == one->name && one->name != name_of(row)) rows.push_back(other);
         }
         document_["rows"] = rows;
         write_text(folder_ / "stability.json", document_.dump(1) + "\n");

@@ -33,8 +33,8 @@ void Progress::show(std::uint64_t done) {
     const double fraction = std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
     const double left = fraction > 0 ? elapsed / fraction - elapsed : 0;
     const std::string line =
-        fmt::format("{} {:3.0f} %, {:.3g} {}, {:.3g} M/s, {:.0f} s left", what_, 100 * fraction,
-                    static_cast<double>(done), unit_, static_cast<double>(done) / elapsed / 1e6, left);
+        fmt::format("{} {:3.0f} %, {:.3g} {}, {:.3g} {}/s, {:.0f} s left", what_, 100 * fraction,
+                    static_cast<double>(done), unit_, static_cast<double>(done) / elapsed, unit_, left);
     if (terminal_) {
         constexpr std::size_t width = 24;
         const auto filled = static_cast<std::size_t>(fraction * width);

@@ -6,6 +6,7 @@ import json
 import math
 import sys
 import tempfile
+import types
 import unittest
 from dataclasses import replace
 from pathlib import Path
@@ -62,7 +63,7 @@ def least_successes(trials, probability):
 
 
 def light_map_law(floor=1e-4, noise=1e3):
-    return Law(lambda h: noise / h, lambda h: floor, lambda h: 1e-6 * h, bytes=lambda h: 32e6, texels=262144)
+    return Law(lambda h: noise / h, lambda h: floor, lambda h: 1e-6 * h, bytes=lambda h: 32e6, texels=100)
 
 
 def fixed_k_law(variance=0.02):
@@ -96,7 +97,7 @@ def exact_point(method, hits, error, seconds, size, bias_sq=0.0, seeds=4):
             "build_seconds": 0.0,
             "gather_seconds": 0.0,
             "bytes": size,
-            "texels": 1000,
+            "texels": 10,
         }
         for seed in range(1, seeds + 1)
     )
@@ -141,6 +142,8 @@ class MethodNames(unittest.TestCase):
             (found.family, found.order, found.weight, found.gather, found.texels),
             (LIGHT_MAP, 4, "normalised", "bilinear", 65536),
         )
+        self.assertEqual(found.least_hits, 100)
+        self.assertEqual(parse("shlm/L2/radiance/own/t64/h0").least_hits, 0)
         for name, family, number, kernel in (
             ("photonmap/flann/k50/disc", FIXED_K, 50, "disc"),
             ("photonmap/flann/k0.05n23/cone", GROWING_K, 0.05, "cone"),
@@ -149,6 +152,17 @@ class MethodNames(unittest.TestCase):
             found = parse(name)
             self.assertEqual((found.family, found.number, found.kernel), (family, number, kernel))
         self.assertEqual(parse("path tracing").family, OTHER)
+
+
+class SettledPoints(unittest.TestCase):
+    def test_are_those_whose_texels_show_their_own_hits(self):
+        def point(hits):
+            run = types.SimpleNamespace(rows=[{"texels": 1000}])
+            return types.SimpleNamespace(hits=hits, run=run)
+
+        points = tuple(point(hits) for hits in (1e4, 1e5, 1e6))
+        for name, settled in (("shlm/L2/radiance/knn4", 2), ("shlm/L2/radiance/knn4/h10", 3), (PHOTONS, 3)):
+            self.assertEqual(len(Curve(parse(name), points).settled_points), settled)
 
 
 class Student(unittest.TestCase):

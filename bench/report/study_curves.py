@@ -49,6 +49,11 @@ class Curve:
     def texels(self):
         return self.points[0].run.rows[0].get("texels", 0)
 
+    @property
+    def settled_points(self):
+        """Those at which more hits do not change what is gathered: a light map's blocks of texels shrink until then."""
+        return [p for p in self.points if p.hits >= self.method.least_hits * self.texels]
+
 
 def measure(scene, run, answers):
     return Point(run, split_of(scene, answers, run.seeds), split_by_tilt(scene, answers, run.seeds))

@@ -23,6 +23,8 @@ THEORY_TEXT = {
     FIXED_K: "0",
 }
 
+DEFAULT_LEAST_HITS = 100  # shlm/settings.h
+
 REFERENCE_LIGHT_MAP = "shlm/L2/radiance/knn4"
 TRADITIONAL_LIGHT_MAP = "shlm/L0/normalised/knn4"
 REFERENCE_PHOTON_MAP = "photonmap/flann/k50/disc"
@@ -36,6 +38,7 @@ class Method:
     weight: str = ""  # what a hit stands for: radiance, flux, normalised
     gather: str = ""  # own, bilinear, knn4, ...
     texels: int = 0  # 0: the study's default
+    least_hits: int = 0  # texels in blocks of fewer hits share their light
     number: float = 0  # k, C or the radius as a share of the scene's diagonal
     kernel: str = ""
 
@@ -45,16 +48,24 @@ class Method:
 
     @property
     def has_floor(self):
-        """Its bias stays whatever the hits, and only its variance falls."""
+        """Its bias stays whatever the hits, and only its variance falls; of light maps once texels show their own hits."""
         return self.family in (LIGHT_MAP, FIXED_RADIUS)
 
 
 def parse_light_map(name):
-    parts = re.fullmatch(r"shlm/L(\d+)/(\w+)/(\w+)(?:/t(\d+))?", name)
+    parts = re.fullmatch(r"shlm/L(\d+)/(\w+)/(\w+)(?:/t(\d+))?(?:/h(\d+))?", name)
     if not parts:
         return None
-    order, weight, gather, texels = parts.groups()
-    return Method(name, LIGHT_MAP, order=int(order), weight=weight, gather=gather, texels=int(texels or 0))
+    order, weight, gather, texels, least_hits = parts.groups()
+    return Method(
+        name,
+        LIGHT_MAP,
+        order=int(order),
+        weight=weight,
+        gather=gather,
+        texels=int(texels or 0),
+        least_hits=DEFAULT_LEAST_HITS if least_hits is None else int(least_hits),
+    )
 
 
 def parse_photon_map(name):

@@ -2,7 +2,7 @@
 
 Which sizes count (at least two, with at least two seeds each):
 - light maps and fixed radii: where the variance is at least 4 x bias^2, for theory speaks of the way to the
-  floor;
+  floor; of light maps those at which texels show their own hits;
 - photon maps with fixed or growing k: all from 1e5 hits on;
 - others: all.
 The variance alone is fitted over all sizes, or for photon maps with fixed or growing k from 1e5 hits on.
@@ -69,14 +69,14 @@ def from_first_hits(curve):
 
 
 def above_floor(curve):
-    return [p for p in curve.points if p.split.variance >= VARIANCE_OVER_BIAS * p.split.bias_sq]
+    return [p for p in curve.settled_points if p.split.variance >= VARIANCE_OVER_BIAS * p.split.bias_sq]
 
 
 def fitted_points(curve):
     """(for the error, for the variance alone)"""
     if curve.method.family in (FIXED_K, GROWING_K):
         return from_first_hits(curve), from_first_hits(curve)
-    return above_floor(curve) if curve.method.has_floor else curve.points, curve.points
+    return above_floor(curve) if curve.method.has_floor else curve.points, curve.settled_points
 
 
 def verdict(curve, points, error, variance, theory):

@@ -51,9 +51,10 @@ def floor(curve):
     """Low end of the band of the part that more hits do not lower, at the largest size that has a band; 0
     where there is none.
 
-    It is bias^2 for light maps and fixed radii, the variance for fixed k; with growing k both fall.
+    It is bias^2 for light maps whose texels show their own hits and for fixed radii, the variance for fixed k; with
+    growing k both fall.
     """
-    for point in reversed(curve.points):
+    for point in reversed(curve.settled_points):
         split = point.split
         found = (
             split.bias_sq_band

@@ -21,7 +21,8 @@ class Counts(unittest.TestCase):
 
     def test_a_loop_of_nine_to_eleven_instructions(self):
         per_round = (self.count("plain/101000") - self.count("plain/1000")) / 100_000
-        self.assertIn(per_round, (9, 10, 11))  # add, compare and branch, as the compiler joins them
+        # Add, compare and branch, as the compiler joins them, or two rounds in one.
+        self.assertTrue(9 <= per_round <= 11, per_round)
         self.assertLess(self.count("plain/1000"), 1000 * per_round + MOST_BESIDE)
 
     def test_what_is_paused_is_not_counted(self):

@@ -21,7 +21,7 @@
 #include <optional>
 
 #include "common/core/input_error.h"
-#include "common/core/writable_folder.h"
+#include "common/core/output_file.h"
 #include "shlm/exr_headers.h"
 #include "shlm/texel_sums.h"
 
@@ -194,28 +194,18 @@ void MapFileWriter::guarded(Work work) {
 }
 
 MapFileWriter::MapFileWriter(fs::path file, const MapRun& run, const MapFileSize& size)
-    : file_(std::move(file)), temporary_(file_.string() + ".part"), run_(run), size_(size) {
+    : file_(std::move(file)), temporary_{file_.string() + ".part"}, run_(run), size_(size) {
     checksum_.add(checked_text(run));
     std::vector<Imf::Header> headers;
     for (int part = 0; part <= checksum_part(size); ++part) headers.push_back(header_of(part, size));
     for (const auto& [key, text] : to_notes(run)) headers[0].insert(key, Imf::StringAttribute(text));
-    try {
-        guarded([&] { output_ = std::make_unique<Output>(temporary_, headers); });
-    } catch (const InputError&) {
-        remove_temporary();  // no destructor does it for what was never made
-        throw;
-    }
+    guarded([&] { output_ = std::make_unique<Output>(temporary_.path, headers); });
 }
 
-MapFileWriter::~MapFileWriter() {
-    if (!output_) return;
-    output_.reset();
-    remove_temporary();
-}
+MapFileWriter::~MapFileWriter() = default;
 
-void MapFileWriter::remove_temporary() const {
-    std::error_code ignored;
-    fs::remove(temporary_, ignored);
+MapFileWriter::TemporaryFile::~TemporaryFile() {
+    unlink(path.c_str());
 }
 
 void MapFileWriter::write_planes(int part, std::span<const std::int64_t> planes) {
@@ -259,7 +249,7 @@ void MapFileWriter::finish() {
     write_planes(checksum_part(size_), std::span(&checksum, 1));
     guarded([&] {
         output_->finish();
-        fs::rename(temporary_, file_);
+        fs::rename(temporary_.path, file_);
         output_.reset();
         // The rename itself reaches the disk with the folder.
         const fs::path folder = file_.has_parent_path() ? file_.parent_path() : ".";
@@ -274,7 +264,7 @@ void MapFileWriter::finish() {
 
 class MapFileReader::Input {
   public:
-    explicit Input(const fs::path& file) : exr_(limited(file).c_str()) {}
+    explicit Input(const fs::path& file) : exr_(file.c_str()) {}
 
     [[nodiscard]] const Imf::MultiPartInputFile& exr() const { return exr_; }
 
@@ -285,12 +275,6 @@ class MapFileReader::Input {
     }
 
   private:
-    /// OpenEXR makes room for as many lines as a header asks for before it looks how long the file is.
-    static const fs::path& limited(const fs::path& file) {
-        Imf::Header::setMaxImageSize(largest_side, largest_side);
-        return file;
-    }
-
     Imf::MultiPartInputFile exr_;
 };
 
@@ -342,7 +326,9 @@ MapFileReader::MapFileReader(fs::path file) : file_(std::move(file)) {
         std::error_code error;
         const auto bytes = fs::file_size(file_, error);
         if (error) throw InputError(error.message());
+        // OpenEXR makes room for what a header asks for before it looks how long the file is.
         check_exr_headers(file_);
+        Imf::Header::setMaxImageSize(largest_side, largest_side);
         input_ = std::make_unique<Input>(file_);
         const Imf::Header& first = input_->exr().header(0);
         run_ = map_run_of(notes_in(first));
@@ -395,14 +381,7 @@ void MapFileReader::check() {
 void check_map_output(const std::string& option, const fs::path& file) {
     if (file.extension() != ".exr")
         throw InputError(fmt::format("{}: {} is not an .exr file", option, file.string()));
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    std::error_code ignored;
-    if (!fs::is_directory(folder, ignored))
-        throw InputError(fmt::format("{}: there is no folder {}", option, folder.string()));
-    if (!common::is_writable_folder(folder))
-        throw InputError(fmt::format("{}: {} cannot be written to", option, folder.string()));
-    if (fs::is_directory(file, ignored))
-        throw InputError(fmt::format("{}: {} is a folder", option, file.string()));
+    common::check_output_file(option, file);
 }
 
 }  // namespace shlm

@@ -51,13 +51,19 @@ class MapFileWriter {
   private:
     class Output;
 
+    /// Gone with the object, unless it was moved elsewhere.
+    struct TemporaryFile {
+        std::filesystem::path path;
+        ~TemporaryFile();
+    };
+
     template <class Work>
     void guarded(Work work);
-    void remove_temporary() const;
     void write_planes(int part, std::span<const std::int64_t> planes);
     void write_preview(std::span<const std::int64_t> channels);
 
-    std::filesystem::path file_, temporary_;
+    std::filesystem::path file_;
+    TemporaryFile temporary_;
     MapRun run_;
     MapFileSize size_;
     Checksum checksum_;

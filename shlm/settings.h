@@ -32,8 +32,8 @@ using Gather = std::variant<OwnTexel, Bilinear, NearestTexels>;
 inline constexpr std::size_t default_texels = 262144;
 
 /// Texels in blocks of fewer hits share one light (texel_blocks.h); 0: each shows its own. A block that just
-/// misses being divided has 25 to 100 hits and the noise of a photon map's 50 nearest, its default. Twice or
-/// half as many bring no scene of ours nearer to its reference.
+/// misses being divided has 25 to 100 hits and the noise of a photon map's 50 nearest, its default. More
+/// bring less noise and coarser shadows.
 inline constexpr std::uint64_t default_least_hits = 100;
 
 }  // namespace shlm

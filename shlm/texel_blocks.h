@@ -34,10 +34,11 @@ class TexelBlocks {
             const TexelRegion& region = regions[i];
             if (region.texels_per_face() == 0) return;
             const std::uint32_t all = std::bit_ceil(std::max(region.width, region.height));
-            show_block({region, region.first_texel, texel_width(region)}, 0, 0, all);
-            if (region.both_faces)
-                show_block({region, region.first_texel + region.texels_per_face(), texel_width(region)}, 0, 0,
-                           all);
+            Face face{region, region.first_texel, texel_width(region)};
+            show_block(face, 0, 0, all);
+            if (!region.both_faces) return;
+            face.first_texel += region.texels_per_face();
+            show_block(face, 0, 0, all);
         });
     }
 
@@ -53,10 +54,9 @@ class TexelBlocks {
     };
 
     struct Block {
-        std::uint64_t hits = 0;
-        bool one_surface = true;
-        // Of those with fewer than least_hits alone:
         TexelSum<Model> sum;
+        // These, and the sum's values, of blocks with fewer than least_hits alone:
+        bool one_surface = true;
         double area = 0;             ///< world units squared; 0: no triangle covers any of it
         Imath::V3d center{0, 0, 0};  ///< times area
         Imath::V3d normal{0, 0, 0};  ///< times area
@@ -75,8 +75,7 @@ class TexelBlocks {
         const TexelSum<Model> sum = sums_[texel];
         show_(texel, sum, double{geometry.area});
         if (geometry.area == 0) return {};
-        return {.hits = sum.hits,
-                .sum = sum,
+        return {.sum = sum,
                 .area = geometry.area,
                 .center = Imath::V3d(geometry.center) * geometry.area,
                 .normal = Imath::V3d(geometry.normal) * geometry.area};
@@ -98,10 +97,10 @@ class TexelBlocks {
             for (std::uint32_t i = 0; i < 4; ++i) show_part(i);
 
         Block block;
-        for (const Block& part : parts) block.hits += part.hits;
-        if (block.hits >= least_hits_) return block;
+        for (const Block& part : parts) block.sum.hits += part.sum.hits;
+        if (block.sum.hits >= least_hits_) return block;
         join(parts, face.texel_width * size, block);
-        if (block.hits > 0 && block.one_surface)
+        if (block.sum.hits > 0 && block.one_surface)
             for (std::uint32_t row = y; row < std::min(y + size, region.height); ++row)
                 for (std::uint32_t column = x; column < std::min(x + size, region.width); ++column)
                     show_(face.first_texel + row * region.width + column, block.sum, block.area);
@@ -116,7 +115,6 @@ class TexelBlocks {
             block.center += part.center;
             block.normal += part.normal;
         }
-        block.sum.hits = block.hits;
         for (const Block& part : parts) {
             if (part.area == 0) continue;
             const double cosine =

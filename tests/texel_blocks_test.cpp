@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/stability/known_light.h"
+#include "bench/stability/unit_floor.h"
 
 namespace {
 
@@ -34,12 +35,6 @@ double shown(const Map& map, const Scene& scene, std::uint32_t first_triangle, i
     return map.irradiance(point).x / (side * side);
 }
 
-Scene one_floor() {
-    Scene scene;
-    add(scene, quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), diffuse({1, 1, 1}));
-    return scene;
-}
-
 /// Two quads side by side in one lightmap, each a half of it.
 Scene two_quads(const Mesh& left, const Mesh& right) {
     const auto half_from = [](float u) {
@@ -52,7 +47,7 @@ Scene two_quads(const Mesh& left, const Mesh& right) {
 }
 
 TEST(TexelBlocks, ASingleHitIsSharedByAll) {
-    const Scene scene = one_floor();
+    const Scene& scene = bench::unit_floor();
     const auto texels = bench::texels_of(scene, side * side);
     HitBatch hits;
     add_hits(hits, scene, 0, 3, 5, 1);
@@ -63,7 +58,7 @@ TEST(TexelBlocks, ASingleHitIsSharedByAll) {
 }
 
 TEST(TexelBlocks, ABlockWithEnoughHitsIsDivided) {
-    const Scene scene = one_floor();
+    const Scene& scene = bench::unit_floor();
     const auto texels = bench::texels_of(scene, side * side);
     HitBatch hits;
     add_hits(hits, scene, 0, 0, 0, 10);  // in a block of 2 x 2 that has enough: each texel by itself
@@ -78,7 +73,7 @@ TEST(TexelBlocks, ABlockWithEnoughHitsIsDivided) {
 }
 
 TEST(TexelBlocks, WithoutLeastHitsEachTexelShowsItsOwn) {
-    const Scene scene = one_floor();
+    const Scene& scene = bench::unit_floor();
     const auto texels = bench::texels_of(scene, side * side);
     HitBatch hits;
     add_hits(hits, scene, 0, 3, 5, 1);
@@ -152,7 +147,7 @@ TEST(TexelBlocks, DoNotReachOverToAChartFarAway) {
 /// Light up to x = 27.3 texels, where no block ends. What is beyond shares light only with a block that has
 /// too few hits for itself: at half a hit to a texel those of 8 x 8, at 4 those of 2 x 2.
 TEST(TexelBlocks, ShadowsStayDarkBesideEnoughLight) {
-    const Scene scene = one_floor();
+    const Scene& scene = bench::unit_floor();
     const auto texels = bench::texels_of(scene, 64 * 64);
     for (const auto& [hits_per_texel, dark_from] : {std::pair(0.5, 32), {4.0, 28}}) {
         HitBatch hits;

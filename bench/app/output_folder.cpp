@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "common/core/input_error.h"
-#include "common/core/writable_folder.h"
+#include "common/core/output_file.h"
 
 namespace bench {
 

@@ -106,6 +106,11 @@ class SparseFloor {
     }
 };
 
+/// Where the truth is 1.
+[[nodiscard]] inline double square_of_error(double irradiance) {
+    return (irradiance - 1) * (irradiance - 1);
+}
+
 /// The mean of `use(irradiance)` over the points.
 template <common::IrradianceEstimator Map, class Use>
 [[nodiscard]] double mean_of(const Map& map, std::span<const common::SurfacePoint> points, Use use) {

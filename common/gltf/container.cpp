@@ -101,10 +101,13 @@ void append_chunk(std::vector<std::uint8_t>& glb, std::uint32_t type, const Data
 
 }  // namespace
 
+Container parse_container(std::span<const std::uint8_t> file) {
+    if (file.size() >= 4 && little_endian_u32(file, 0) == magic) return split_glb(file);
+    return {std::string(file.begin(), file.end()), {}};
+}
+
 Container read_container(const std::filesystem::path& file) {
-    const std::vector<std::uint8_t> bytes = read_file(file);
-    if (bytes.size() >= 4 && little_endian_u32(bytes, 0) == magic) return split_glb(bytes);
-    return {std::string(bytes.begin(), bytes.end()), {}};
+    return parse_container(read_file(file));
 }
 
 std::vector<std::uint8_t> make_glb(std::string_view json, std::span<const std::uint8_t> binary) {

@@ -17,8 +17,11 @@ struct Container {
     std::vector<std::uint8_t> binary;  ///< the BIN chunk; empty for .gltf
 };
 
-/// Reads a .gltf or .glb file, told apart by the first bytes. Throws InputError where the file cannot be
-/// read, and for a GLB of another version or one whose chunks do not fit into the file.
+/// The bytes of a .gltf or .glb file, told apart by the first ones. Throws InputError for a GLB of another
+/// version or one whose chunks do not fit into the file.
+[[nodiscard]] Container parse_container(std::span<const std::uint8_t> file);
+
+/// The same of a file; also throws where it cannot be read.
 [[nodiscard]] Container read_container(const std::filesystem::path& file);
 
 /// GLB of a JSON chunk and, if `binary` is not empty, a BIN chunk. Throws InputError where that needs 4 GiB

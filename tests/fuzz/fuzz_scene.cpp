@@ -16,11 +16,13 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed) {
-    if (seed % 4 != 0)
-        if (const auto mutated = fuzz::mutated_gltf(std::span(data, size), seed);
-            mutated && mutated->size() <= max_size) {
-            std::memcpy(data, mutated->data(), mutated->size());
-            return mutated->size();
-        }
-    return LLVMFuzzerMutate(data, size, max_size);
+    if (seed % 4 == 0) return LLVMFuzzerMutate(data, size, max_size);
+    try {
+        const auto mutated = fuzz::mutated_gltf(std::span(data, size), seed);
+        if (mutated.size() > max_size) return LLVMFuzzerMutate(data, size, max_size);
+        std::memcpy(data, mutated.data(), mutated.size());
+        return mutated.size();
+    } catch (const common::InputError&) {
+        return LLVMFuzzerMutate(data, size, max_size);
+    }
 }

@@ -4,6 +4,7 @@
 #include <random>
 #include <string>
 
+#include "common/core/input_error.h"
 #include "common/gltf/container.h"
 
 namespace fuzz {
@@ -85,22 +86,15 @@ void change(Json& document, Generator& generator) {
 
 }  // namespace
 
-std::optional<std::vector<std::uint8_t>> mutated_gltf(std::span<const std::uint8_t> file, unsigned seed) {
-    constexpr std::size_t header = 20;  // of a GLB and of its first chunk
-    const bool is_glb = file.size() >= header && std::string(file.begin(), file.begin() + 4) == "glTF";
-    std::size_t json_size = file.size();
-    if (is_glb) json_size = file[12] | file[13] << 8 | file[14] << 16 | std::size_t{file[15]} << 24;
-    if (is_glb && json_size > file.size() - header) return std::nullopt;
-    const auto json = file.subspan(is_glb ? header : 0, json_size);
-    Json document = Json::parse(json.begin(), json.end(), nullptr, false);
-    if (document.is_discarded()) return std::nullopt;
+std::vector<std::uint8_t> mutated_gltf(std::span<const std::uint8_t> file, unsigned seed) {
+    const common::gltf::Container parts = common::gltf::parse_container(file);
+    Json document = Json::parse(parts.json, nullptr, false);
+    if (document.is_discarded()) throw common::InputError("is not JSON");
 
     Generator generator(seed);
     for (unsigned changes = 1 + generator() % 3; changes > 0; --changes) change(document, generator);
-    const std::string text = document.dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (!is_glb) return std::vector<std::uint8_t>(text.begin(), text.end());
-    const std::size_t rest = std::min(file.size(), header + json_size + 8);  // behind the BIN chunk's header
-    return common::gltf::make_glb(text, file.subspan(rest));
+    return common::gltf::make_glb(document.dump(-1, ' ', false, Json::error_handler_t::replace),
+                                  parts.binary);
 }
 
 }  // namespace fuzz

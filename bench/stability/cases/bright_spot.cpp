@@ -1,5 +1,6 @@
 // 5. Blur: what is left of the peak of a spot of light, such as a caustic's focus.
 #include "bench/stability/floor_light.h"
+#include "bench/stability/panels.h"
 #include "bench/stability/stability_case.h"
 #include "bench/stability/theory.h"
 
@@ -90,7 +91,6 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
 
 /// Truth, photon map, own texel and bilinear, side by side, with gathers of equal area.
 std::optional<common::Image> picture() {
-    constexpr int size = 192, panels = 4;
     constexpr double width = 4;
     constexpr std::size_t texels_along = 9;
     const common::Scene floor = square_floor(width);
@@ -101,19 +101,12 @@ std::optional<common::Image> picture() {
     const auto own = light_map_of<FlatModel>(prepared, hits, shlm::OwnTexel{});
     const auto bilinear = light_map_of<FlatModel>(prepared, hits, shlm::Bilinear{});
 
-    common::Image image{panels * size, size, {"R", "G", "B"}, {}};
-    for (int row = 0; row < size; ++row)
-        for (int column = 0; column < panels * size; ++column) {
-            const double x = ((column % size + 0.5) / size - 0.5) * width;
-            const double y = (0.5 - (row + 0.5) / size) * width;
-            const common::SurfacePoint point = floor_point(floor, width, x, y);
-            const common::Rgb truth(x * x + y * y < 1 ? 1.0f : 0.0f);
-            const common::Rgb answers[panels] = {truth, photon_map.irradiance(point), own.irradiance(point),
-                                                 bilinear.irradiance(point)};
-            const common::Rgb& answer = answers[column / size];
-            image.values.insert(image.values.end(), {answer.x, answer.y, answer.z});
-        }
-    return image;
+    return panels_side_by_side<4>([&](double right, double down) -> std::array<common::Rgb, 4> {
+        const double x = (right - 0.5) * width, y = (0.5 - down) * width;
+        const common::SurfacePoint point = floor_point(floor, width, x, y);
+        const common::Rgb truth(x * x + y * y < 1 ? 1.0f : 0.0f);
+        return {truth, photon_map.irradiance(point), own.irradiance(point), bilinear.irradiance(point)};
+    });
 }
 
 const RegisteredCase registered(

@@ -72,10 +72,6 @@ double variance_of_nearest(double left) {
     return 1 / (2 * (1 + left));
 }
 
-double square_of_error(double irradiance) {
-    return (irradiance - 1) * (irradiance - 1);
-}
-
 /// Mean of the squared errors of a weighted mean of four texels at the border, whatever is left of them; the
 /// cut ones have the weight `cut`, those of the next row `down`.
 double error_without_areas(const CutChart& chart, const shlm::LightMap<FlatModel>& own, double cut,

@@ -1,4 +1,5 @@
 // 8. Empty texels: where hits are few, some texels have none and are black.
+#include "bench/stability/panels.h"
 #include "bench/stability/sparse_hits.h"
 #include "bench/stability/stability_case.h"
 
@@ -98,7 +99,6 @@ bool in_shadow(double x, double y) {
 /// Truth, the 50 nearest photons, the 4 nearest texels alone, and in blocks, side by side: 3 hits to a texel,
 /// but for a round shadow.
 std::optional<common::Image> picture() {
-    constexpr int size = 192, panels = 4;
     const SparseFloor floor;
     Generator generator(1);
     const common::HitBatch offered = floor.hits(3, generator);
@@ -111,18 +111,11 @@ std::optional<common::Image> picture() {
     const auto blocks =
         light_map_of<FlatModel>(floor.texels, hits, shlm::NearestTexels{4}, shlm::default_least_hits);
 
-    common::Image image{panels * size, size, {"R", "G", "B"}, {}};
-    for (int row = 0; row < size; ++row)
-        for (int column = 0; column < panels * size; ++column) {
-            const double x = (column % size + 0.5) / size, y = (row + 0.5) / size;
-            const SurfacePoint point = on_unit_floor(static_cast<float>(x), static_cast<float>(y));
-            const common::Rgb truth(in_shadow(x, y) ? 0.0f : 1.0f);
-            const common::Rgb answers[panels] = {truth, photon_map.irradiance(point), alone.irradiance(point),
-                                                 blocks.irradiance(point)};
-            const common::Rgb& answer = answers[column / size];
-            image.values.insert(image.values.end(), {answer.x, answer.y, answer.z});
-        }
-    return image;
+    return panels_side_by_side<4>([&](double x, double y) -> std::array<common::Rgb, 4> {
+        const SurfacePoint point = on_unit_floor(static_cast<float>(x), static_cast<float>(y));
+        const common::Rgb truth(in_shadow(x, y) ? 0.0f : 1.0f);
+        return {truth, photon_map.irradiance(point), alone.irradiance(point), blocks.irradiance(point)};
+    });
 }
 
 const RegisteredCase registered(

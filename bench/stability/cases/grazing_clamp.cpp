@@ -110,7 +110,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         const auto read = [&](const auto& map, const common::SurfacePoint& at) {
             return static_cast<double>(map.irradiance(at).x);
         };
-        using Order0 = shlm::TexelModel<0, shlm::ShWeight::radiance>;
+        using Order0 = HarmonicModel<0>;
         using Order0Flux = shlm::TexelModel<0, shlm::ShWeight::flux>;
         const double order_0 = flux_weight
                                    ? read(light_map_of<Order0Flux>(texels, hits, shlm::OwnTexel{}), point)

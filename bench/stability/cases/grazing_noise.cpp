@@ -100,8 +100,8 @@ double disc_noise(const Map& map, double disc_area, double angle) {
 }
 
 std::vector<StabilityCurve> run(const CaseRun& run) {
-    using Radiance0 = shlm::TexelModel<0, shlm::ShWeight::radiance>;
-    using Radiance2 = shlm::TexelModel<2, shlm::ShWeight::radiance>;
+    using Radiance0 = HarmonicModel<0>;
+    using Radiance2 = HarmonicModel<2>;
     using Normalised2 = shlm::TexelModel<2, shlm::ShWeight::normalised>;
     const double disc_area = disc_radius * disc_radius * (run.has_mutation("discs are squares") ? 4 : pi);
     const bool not_normalised = run.has_mutation("the weight is not normalised");

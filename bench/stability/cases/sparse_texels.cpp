@@ -9,10 +9,6 @@ using common::SurfacePoint;
 
 constexpr std::size_t k = 20;  // photons in a gather
 
-double square_of_error(double irradiance) {
-    return (irradiance - 1) * (irradiance - 1);
-}
-
 std::vector<StabilityCurve> run(const CaseRun& run) {
     const SparseFloor floor;
     constexpr double places[] = {0.1, 0.3, 1, 3, 10};

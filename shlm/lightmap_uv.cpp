@@ -14,9 +14,6 @@ using common::MeshInstance;
 using common::Scene;
 using common::Vec2;
 
-/// Overlap below this part of an instance's area is rounding at chart borders.
-constexpr double tolerated_overlap = 1e-3;
-
 UvTriangle uv_triangle(const Scene& scene, std::uint32_t triangle, int set) {
     const auto [a, b, c] = scene.triangle[triangle];
     const auto& uv = scene.texcoord[set];
@@ -64,7 +61,7 @@ bool is_valid(const LightmapUv& uv) {
     constexpr float slack = 1e-4f;
     return uv.texcoord_set >= 0 && uv.bounds.min.x >= -slack && uv.bounds.min.y >= -slack &&
            uv.bounds.max.x <= 1 + slack && uv.bounds.max.y <= 1 + slack &&
-           uv.overlapping_area <= tolerated_overlap * uv.area;
+           !uv.overlaps();
 }
 
 LightmapUv choose(const Scene& scene, const MeshInstance& instance) {
@@ -97,7 +94,7 @@ std::vector<std::string> describe_lightmap_trouble(const Scene& scene, const std
         if (uv[i].texcoord_set < 0) {
             missing += uv[i].area;
             ++missing_count;
-        } else if (uv[i].overlapping_area > tolerated_overlap * uv[i].area) {
+        } else if (uv[i].overlaps()) {
             overlapping += uv[i].overlapping_area;
             ++overlapping_count;
         }

@@ -16,6 +16,9 @@ struct LightmapUv {
     double area = 0;              ///< world units squared, one side
     double overlapping_area =
         0;  ///< part of `area` whose coordinates another triangle of the instance uses too
+
+    /// Beyond the rounding at chart borders.
+    [[nodiscard]] bool overlaps() const { return overlapping_area > 1e-3 * area; }
 };
 
 /// Looks at every instance with a diffuse material. Instances without one get no set: nothing is stored on

@@ -15,7 +15,6 @@ constexpr const char* format_version = "1";
 template <class Run, class Visit>
 void for_each_number(Run& run, Visit visit) {
     visit("seed", run.identity.seed);
-    visit("texels_wanted", run.identity.texels_wanted);
     visit("texels", run.identity.texels);
     visit("numbers", run.identity.numbers);
     visit("quantum_exponent_red", run.identity.quantum[0]);
@@ -86,6 +85,7 @@ std::map<std::string, std::string> to_notes(const MapRun& run) {
     std::map<std::string, std::string> notes = {{key_of("map_format"), format_version},
                                                 {key_of("scene_fingerprint"), run.identity.scene},
                                                 {key_of("model"), run.identity.model},
+                                                {key_of("texels_wanted"), run.identity.texels_wanted},
                                                 {key_of("commit"), run.program}};
     for_each_number(
         run, [&](const char* name, const auto& number) { notes[key_of(name)] = std::to_string(number); });
@@ -99,6 +99,7 @@ MapRun map_run_of(const std::map<std::string, std::string>& notes) {
     MapRun run;
     run.identity.scene = note(notes, "scene_fingerprint");
     run.identity.model = note(notes, "model");
+    run.identity.texels_wanted = note(notes, "texels_wanted");
     run.program = note(notes, "commit");
     for_each_number(run, [&](const char* name, auto& number) { parse(name, note(notes, name), number); });
     return run;

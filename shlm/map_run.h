@@ -15,7 +15,7 @@ namespace shlm {
 struct MapIdentity {
     std::string scene;  ///< common::fingerprint
     std::string model;  ///< order and weight, as in a method's name
-    std::uint64_t texels_wanted = 0;
+    std::string texels_wanted;  ///< how many, and what they lie by, as --texels has it
     std::uint64_t texels = 0;
     std::uint64_t numbers = 0;     ///< summed per texel and channel
     std::array<int, 3> quantum{};  ///< Quantum::exponents

@@ -1,6 +1,7 @@
 // Everything about a scene's light map that does not depend on its light.
 #pragma once
 
+#include "shlm/texel_charts.h"
 #include "shlm/texel_geometry.h"
 
 namespace shlm {
@@ -10,8 +11,10 @@ struct PreparedTexels {
     TexelLayout layout;
     std::vector<TexelGeometry> geometry;  ///< one per texel of the layout
 
-    PreparedTexels(const common::Scene& scene, std::span<const LightmapUv> uv, std::size_t texels)
-        : layout(scene, uv, texels), geometry(texel_geometry(scene, layout)) {}
+    PreparedTexels(const common::Scene& scene, std::span<const LightmapUv> uv, std::size_t texels,
+                   TexelPlacement placement = TexelPlacement::uv)
+        : layout(scene, texel_charts(scene, uv, placement, texels), texels),
+          geometry(texel_geometry(scene, layout)) {}
 };
 
 }  // namespace shlm

@@ -31,6 +31,13 @@ using Gather = std::variant<OwnTexel, Bilinear, NearestTexels>;
 
 inline constexpr std::size_t default_texels = 262144;
 
+/// What the texels are laid out by.
+enum class TexelPlacement {
+    automatic,  ///< uv where a surface has coordinates that do not overlap, faces elsewhere
+    uv,         ///< lightmap coordinates; surfaces without them have no texels
+    face        ///< the surface's own flat pieces; no coordinates are looked at
+};
+
 /// Texels in blocks of fewer hits share one light (texel_blocks.h); 0: each shows its own. A block that just
 /// misses being divided has 25 to 100 hits and the noise of a photon map's 50 nearest, its default. More
 /// bring less noise and coarser shadows.

@@ -3,6 +3,7 @@
 #include <Imath/ImathVec.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 
 namespace shlm {
@@ -118,18 +119,35 @@ TexelGeometry finished(const TexelSums& sums) {
             normal.length2() > 0 ? normal.normalized() : Vec3(0, 0, 0)};
 }
 
+/// Triangles that have texels, region by region.
+std::vector<std::uint32_t> by_region(const Scene& scene, const TexelLayout& layout) {
+    std::vector<std::uint32_t> triangles;
+    for (std::uint32_t t = 0; t < scene.triangle.size(); ++t)
+        if (layout.triangle(t).width > 0) triangles.push_back(t);
+    std::stable_sort(triangles.begin(), triangles.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return layout.triangle(a).first_texel < layout.triangle(b).first_texel;
+    });
+    return triangles;
+}
+
 }  // namespace
 
 std::vector<TexelGeometry> texel_geometry(const Scene& scene, const TexelLayout& layout) {
+    const std::vector<std::uint32_t> triangles = by_region(scene, layout);
     std::vector<TexelGeometry> geometry(layout.texel_count());
-    tbb::parallel_for(std::size_t{0}, scene.instance.size(), [&](std::size_t i) {
+    tbb::parallel_for(std::size_t{0}, layout.regions().size(), [&](std::size_t i) {
         const TexelRegion& region = layout.regions()[i];
         std::vector<TexelSums> sums(region.texels_per_face());
-        const common::MeshInstance& instance = scene.instance[i];
-        for (std::uint32_t t = instance.first_triangle; t < instance.first_triangle + instance.triangle_count;
-             ++t)
-            if (const TriangleTexels& placed = layout.triangle(t); placed.width > 0)
-                add_triangle(scene, t, placed, sums);
+        auto triangle =
+            std::lower_bound(triangles.begin(), triangles.end(), region.first_texel,
+                             [&](std::uint32_t t, std::uint32_t first_texel) {
+                                 return layout.triangle(t).first_texel < first_texel;
+                             });
+        for (; triangle != triangles.end(); ++triangle) {
+            const TriangleTexels& placed = layout.triangle(*triangle);
+            if (placed.first_texel != region.first_texel) break;
+            add_triangle(scene, *triangle, placed, sums);
+        }
         for (std::size_t k = 0; k < sums.size(); ++k) {
             TexelGeometry& front = geometry[region.first_texel + k];
             front = finished(sums[k]);

@@ -15,7 +15,7 @@ struct TexelGeometry {
 };
 
 /// One entry per texel of the layout. Every triangle is clipped against every texel it touches, so that the
-/// areas of an instance's texels add up to its surface.
+/// areas of a chart's texels add up to its surface.
 [[nodiscard]] std::vector<TexelGeometry> texel_geometry(const common::Scene& scene,
                                                         const TexelLayout& layout);
 

@@ -1,4 +1,4 @@
-// Where the texels are: regions of the light map for the mesh instances, and the texel under a surface point.
+// Where the texels are: a region of the light map for each chart, and the texel under a surface point.
 #pragma once
 
 #include <span>
@@ -6,18 +6,17 @@
 
 #include "common/core/huge_pages.h"
 #include "common/scene/surface_point.h"
-#include "shlm/lightmap_uv.h"
+#include "shlm/texel_chart.h"
 
 namespace shlm {
 
 inline constexpr std::uint32_t no_texel = 0xffffffff;
 
-/// One mesh instance's rectangle of texels, over the bounds of its lightmap coordinates; row by row from
-/// `first_texel`. Surfaces whose material shows both faces have a second rectangle right behind the first for
-/// their backs.
+/// One chart's rectangle of texels; row by row from `first_texel`. Surfaces whose material shows both faces
+/// have a second rectangle right behind the first for their backs.
 struct TexelRegion {
     std::uint32_t first_texel = 0;
-    std::uint32_t width = 0, height = 0;  ///< 0: the instance has no texels
+    std::uint32_t width = 1, height = 1;
     bool both_faces = false;
 
     [[nodiscard]] std::uint32_t texels_per_face() const { return width * height; }
@@ -33,12 +32,19 @@ struct alignas(64) TriangleTexels {
     bool both_faces = false;
 };
 
+/// The texels' size, world units: the smallest with which the charts have no more than `wanted_texels`. None
+/// has fewer than one for each face.
+[[nodiscard]] double texel_size_for(std::span<const TexelChart> charts, std::size_t wanted_texels);
+
+/// How many texels the charts have at a size.
+[[nodiscard]] double texels_at_size(std::span<const TexelChart> charts, double texel_size);
+
 class TexelLayout {
   public:
-    /// Gives each instance texels in proportion to its area in the world, `wanted_texels` in all as nearly as
-    /// whole rectangles allow, never fewer than one each. Texels are as square in the world as the
-    /// coordinates allow.
-    TexelLayout(const common::Scene& scene, std::span<const LightmapUv> uv, std::size_t wanted_texels);
+    /// Gives each chart texels in proportion to its area in the world, `wanted_texels` in all as nearly as
+    /// whole rectangles allow. Triangles of the scene that are in no chart have no texels. Throws
+    /// InputError where there are more than can be counted.
+    TexelLayout(const common::Scene& scene, std::span<const TexelChart> charts, std::size_t wanted_texels);
 
     [[nodiscard]] std::span<const TexelRegion> regions() const { return regions_; }
 
@@ -52,7 +58,7 @@ class TexelLayout {
     }
 
   private:
-    std::vector<TexelRegion> regions_;       ///< one per mesh instance
+    std::vector<TexelRegion> regions_;  ///< one per chart
     common::HugePageVector<TriangleTexels> triangles_;  ///< one per triangle of the scene
     std::size_t texel_count_ = 0;
 };

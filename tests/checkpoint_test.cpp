@@ -66,7 +66,7 @@ TEST_F(Checkpoint, HoldsWhatTheRunWas) {
     const std::string file = made("map.exr", {"--photons", "5000", "--seed", "7"});
     const shlm::MapRun run = run_in(file);
     EXPECT_EQ(run.identity.seed, 7u);
-    EXPECT_EQ(run.identity.texels_wanted, 1500u);
+    EXPECT_EQ(run.identity.texels_wanted, "1500");
     EXPECT_EQ(run.identity.model, "L2/radiance");
     EXPECT_EQ(run.first_photon, 0u);
     EXPECT_EQ(run.end_photon(), 5000u);

@@ -214,7 +214,7 @@ TEST_F(Info, PrintsJson) {
 
 TEST_F(Info, TellsWhatASceneLacks) {
     const std::string scene = write(gltf_text::one_triangle());
-    const Ended ended = run({"info", "--json", scene});
+    const Ended ended = run({"info", "--json", "--texels", "uv", scene});
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
     const Json facts = Json::parse(ended.out);
     EXPECT_EQ(facts["triangles"], 1);
@@ -223,6 +223,16 @@ TEST_F(Info, TellsWhatASceneLacks) {
     EXPECT_FALSE(facts["lightmap_uv"]["usable"]);
     EXPECT_TRUE(facts["texels"].is_null());
     EXPECT_NE(facts["warnings"].dump().find("TEXCOORD_1"), std::string::npos);
+}
+
+TEST_F(Info, ATriangleWithoutCoordinatesHasTexelsByItsFace) {
+    const Ended ended = run({"info", "--json", "--texels", "100", write(gltf_text::one_triangle())});
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    const Json facts = Json::parse(ended.out);
+    EXPECT_EQ(facts["texels"]["instances_by_face"], 1);
+    EXPECT_EQ(facts["texels"]["charts"], 1);
+    EXPECT_NEAR(facts["texels"]["total"], 100, 10);
+    EXPECT_TRUE(facts["warnings"].empty()) << facts["warnings"];
 }
 
 // render.

@@ -31,7 +31,7 @@ inline common::Image render(const std::string& scene, const std::string& method,
     const bench::LoadedScene loaded(fmt::format("{}/scenes/{}.glb", SHLMBENCH_BINARY_DIR, scene), {});
     const common::PhotonSource source(loaded.scene);
     bench::MethodSettings settings;
-    settings.texels = 16'384;  // a dozen hits for each
+    settings.texels.count = 16'384;  // a dozen hits for each
     bench::PreparedMethods prepared(loaded, settings);
     const auto pixels = common::visible_surfaces(loaded.rays, loaded.camera, width, height);
     return bench::render_method(bench::parse_method("golden", method), prepared,

@@ -132,7 +132,7 @@ TEST(Replay, PacketsFindWhatSingleRaysFind) {
 struct Parts {
     bench::LoadedScene loaded{cornell, {}};
     common::PhotonSource source{loaded.scene};
-    bench::PreparedMethods prepared{loaded, {.texels = 1024}};
+    bench::PreparedMethods prepared{loaded, {.texels = {.count = 1024}}};
     bench::LimitSubject subject;
 
     Parts()

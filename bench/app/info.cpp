@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 struct InfoOptions {
     std::string file;
     SceneOptions scene;
-    std::string texels = std::to_string(shlm::default_texels);
+    TexelOptions texels;
     bool json = false;
 };
 
@@ -39,7 +39,17 @@ Json lightmap_facts(PreparedMethods& prepared) {
             {"usable", sets[0] + sets[1] > 0}};
 }
 
+/// Nothing where no surface can have any.
 Json texel_facts(PreparedMethods& prepared) {
+    const shlm::TexelPlacement placement = prepared.settings().texels.placement;
+    std::size_t by_uv = 0, by_face = 0;
+    for (const shlm::LightmapUv& uv : prepared.lightmap_uv())
+        if (shlm::placed_by_uv(uv, placement))
+            ++by_uv;
+        else if (uv.area > 0 && placement != shlm::TexelPlacement::uv)
+            ++by_face;
+    if (by_uv + by_face == 0) return nullptr;
+
     const shlm::PreparedTexels& texels = prepared.texels();
     std::size_t covered = 0;
     double area = 0;
@@ -47,7 +57,10 @@ Json texel_facts(PreparedMethods& prepared) {
         covered += texel.area > 0;
         area += texel.area;
     }
-    return {{"total", texels.layout.texel_count()},
+    return {{"instances_by_uv", by_uv},
+            {"instances_by_face", by_face},
+            {"charts", texels.layout.regions().size()},
+            {"total", texels.layout.texel_count()},
             {"covered", covered},
             {"mean_width", covered == 0 ? 0.0 : std::sqrt(area / static_cast<double>(covered))}};
 }
@@ -62,7 +75,6 @@ Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
     for (const common::Material& material : scene.material) ++kinds[static_cast<std::size_t>(material.kind)];
     std::vector<std::string> warnings = scene.warnings;
     warnings.insert(warnings.end(), prepared.lightmap_trouble().begin(), prepared.lightmap_trouble().end());
-    const Json lightmap = lightmap_facts(prepared);
     return {{"scene", loaded.name},
             {"file", scene.source},
             {"triangles", scene.triangle.size()},
@@ -84,14 +96,14 @@ Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
              {{"name", loaded.camera.name},
               {"eye", {loaded.camera.eye.x, loaded.camera.eye.y, loaded.camera.eye.z}},
               {"forward", {loaded.camera.forward.x, loaded.camera.forward.y, loaded.camera.forward.z}}}},
-            {"lightmap_uv", lightmap},
-            {"texels", lightmap["usable"] ? texel_facts(prepared) : Json(nullptr)},
+            {"lightmap_uv", lightmap_facts(prepared)},
+            {"texels", texel_facts(prepared)},
             {"warnings", warnings}};
 }
 
 void run(const InfoOptions& options) {
     MethodSettings settings;
-    settings.texels = parse_count("--texels", options.texels);
+    settings.texels = options.texels.choice();
     const LoadedScene loaded(options.file, options.scene);
     PreparedMethods prepared(loaded, settings);
     require_memory(parse_method("--texels", "shlm"), settings, 0, default_max_bytes());
@@ -115,7 +127,7 @@ void add_info_command(CLI::App& app) {
         app.add_subcommand("info", "Say what is in a scene and whether a light map fits on it");
     command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
     options->scene.add_to(*command);
-    command->add_option("--texels", options->texels, "Texels of the light map in all")->capture_default_str();
+    options->texels.add_to(*command);
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options] { run(*options); });
 }

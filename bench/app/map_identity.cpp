@@ -25,7 +25,7 @@ shlm::MapIdentity map_identity(const ShlmMethod& method, PreparedMethods& prepar
                                const common::PhotonSource& source, std::uint64_t seed) {
     return {.scene = common::fingerprint(prepared.scene()),
             .model = fmt::format("L{}/{}", method.order, name_of(method.weight)),
-            .texels_wanted = PreparedMethods::texel_count(method, prepared.settings()),
+            .texels_wanted = describe(PreparedMethods::texel_choice(method, prepared.settings())),
             .texels = prepared.texels_of(method).layout.texel_count(),
             .numbers = with_model(method, [](auto model) { return decltype(model)::summed; }),
             .quantum = shlm::Quantum(source.power()).exponents(),

@@ -69,7 +69,7 @@ double gibibytes(std::size_t bytes) {
 std::size_t needed_bytes(const Method& method, const MethodSettings& settings, std::uint64_t hits) {
     const double bytes =
         method.light_map()
-            ? static_cast<double>(PreparedMethods::texel_count(*method.light_map(), settings)) *
+            ? static_cast<double>(PreparedMethods::texel_choice(*method.light_map(), settings).count) *
                   texel_bytes(*method.light_map())
             : static_cast<double>(hits) * photon_map_bytes_per_hit(method.photon_map()->engine);
     return static_cast<std::size_t>(bytes + wave_bytes);

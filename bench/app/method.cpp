@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "bench/app/texel_options.h"
 #include "common/core/input_error.h"
 
 namespace bench {
@@ -111,17 +112,22 @@ shlm::Gather take_gather(NameParts& parts) {
     parts.complain(part, fmt::format("own, bilinear, or knnK with K from 1 to {}", most_neighbours));
 }
 
-/// What may follow a light map's gather: tTEXELS, hHITS, or both in this order.
-void take_sizes(NameParts& parts, ShlmMethod& method) {
+/// What may follow a light map's gather: uv or face, tTEXELS, hHITS, any of them in this order.
+void take_texels(NameParts& parts, ShlmMethod& method) {
     if (parts.at_end()) return;
     std::string part = parts.take("");
+    if (part == "uv" || part == "face") {
+        method.placement = part == "uv" ? shlm::TexelPlacement::uv : shlm::TexelPlacement::face;
+        if (parts.at_end()) return;
+        part = parts.take("");
+    }
     if (const auto texels = count_between("t", part, 1, most_texels)) {
         method.texels = *texels;
         if (parts.at_end()) return;
         part = parts.take("");
     }
     const auto hits = count_between("h", part, 0, most_hits);
-    if (!hits) parts.complain(part, "a number of texels such as t65536, or of hits to a block such as h0");
+    if (!hits) parts.complain(part, "uv, face, a number of texels such as t65536, or of hits to a block such as h0");
     method.least_hits = *hits;
 }
 
@@ -134,6 +140,7 @@ std::string name_of(const shlm::Gather& gather) {
 std::string name_of(const ShlmMethod& method) {
     std::string name = fmt::format("shlm/{}/{}/{}", name_of(orders, method.order),
                                    name_of(weights, method.weight), name_of(method.gather));
+    if (method.placement) name += "/" + bench::name_of(*method.placement);
     if (method.texels > 0) name += fmt::format("/t{}", method.texels);
     if (method.least_hits != shlm::default_least_hits) name += fmt::format("/h{}", method.least_hits);
     return name;
@@ -144,7 +151,7 @@ ShlmMethod take_shlm(NameParts& parts) {
     method.order = parts.take_one_of(orders);
     method.weight = parts.take_one_of(weights);
     method.gather = take_gather(parts);
-    take_sizes(parts, method);
+    take_texels(parts, method);
     return method;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -12,17 +13,19 @@
 
 namespace bench {
 
-/// shlm / L0 L1 L2 L4 / radiance flux normalised / own bilinear knnK [/ tTEXELS] [/ hHITS]
+/// shlm / L0 L1 L2 L4 / radiance flux normalised / own bilinear knnK [/ uv face] [/ tTEXELS] [/ hHITS]
 struct ShlmMethod {
     int order = 2;
     shlm::ShWeight weight = shlm::ShWeight::radiance;
     shlm::Gather gather = shlm::NearestTexels{};
-    std::size_t texels = 0;  ///< 0: as many as --texels says
+    std::optional<shlm::TexelPlacement> placement;  ///< none: as --texels says
+    std::size_t texels = 0;                         ///< 0: as many as --texels says
     std::uint64_t least_hits = shlm::default_least_hits;
 
     /// Whether both sum the same numbers of the same hits, and differ only in how the map is asked.
     [[nodiscard]] bool fills_as(const ShlmMethod& other) const {
-        return order == other.order && weight == other.weight && texels == other.texels;
+        return order == other.order && weight == other.weight && placement == other.placement &&
+               texels == other.texels;
     }
 };
 

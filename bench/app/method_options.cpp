@@ -5,7 +5,7 @@
 namespace bench {
 
 void MethodOptions::add_to(CLI::App& command) {
-    command.add_option("--texels", texels, "Light maps: texels in all")->capture_default_str();
+    texels.add_to(command);
     command
         .add_option("--max-radius", max_radius,
                     "Photon maps: largest gather radius; 0: 1/20 of the scene's diagonal")
@@ -16,7 +16,7 @@ MethodSettings MethodOptions::settings() const {
     // The square of a smaller one is nothing in float.
     if (max_radius != 0 && !(max_radius >= 1e-15 && max_radius <= 1e9))
         throw common::InputError("--max-radius: 0, or from 1e-15 to 1e9");
-    return {parse_count("--texels", texels), static_cast<float>(max_radius)};
+    return {texels.choice(), static_cast<float>(max_radius)};
 }
 
 }  // namespace bench

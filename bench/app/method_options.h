@@ -9,7 +9,7 @@
 namespace bench {
 
 struct MethodOptions {
-    std::string texels = std::to_string(shlm::default_texels);
+    TexelOptions texels;
     double max_radius = 0;
 
     void add_to(CLI::App& command);

@@ -12,24 +12,31 @@ PreparedMethods::PreparedMethods(const LoadedScene& scene, const MethodSettings&
     : scene_(&scene.scene),
       settings_(settings),
       uv_(shlm::find_lightmap_uv(scene.scene)),
-      trouble_(shlm::describe_lightmap_trouble(scene.scene, uv_)) {
+      trouble_(settings.texels.placement == shlm::TexelPlacement::uv
+                   ? shlm::describe_lightmap_trouble(scene.scene, uv_)
+                   : std::vector<std::string>{}) {
     if (settings_.max_radius == 0)
         settings_.max_radius = photonmap::default_max_radius(scene.scene.diagonal());
 }
 
 std::string describe(const MethodSettings& settings) {
-    return fmt::format("texels={} max-radius={}", settings.texels,
+    return fmt::format("texels={} max-radius={}", describe(settings.texels),
                        settings.max_radius == 0 ? "auto" : fmt::format("{}", settings.max_radius));
 }
 
-const shlm::PreparedTexels& PreparedMethods::texels(std::size_t count) {
-    const bool usable =
-        std::any_of(uv_.begin(), uv_.end(), [](const shlm::LightmapUv& uv) { return uv.texcoord_set >= 0; });
-    if (!usable)
+const shlm::PreparedTexels& PreparedMethods::texels(const TexelChoice& choice) {
+    const bool by_uv = choice.placement == shlm::TexelPlacement::uv;
+    const bool possible = std::any_of(uv_.begin(), uv_.end(), [&](const shlm::LightmapUv& uv) {
+        return by_uv ? uv.texcoord_set >= 0 : uv.area > 0;
+    });
+    if (!possible)
         throw common::InputError(
             fmt::format("{}: {}", scene_->source,
-                        trouble_.empty() ? "no diffuse surface for a light map" : trouble_.front()));
-    return texels_.try_emplace(count, *scene_, uv_, count).first->second;
+                        by_uv ? "no diffuse surface has usable lightmap coordinates; --texels face needs none"
+                              : "no diffuse surface for a light map"));
+    return texels_
+        .try_emplace({choice.count, choice.placement}, *scene_, uv_, choice.count, choice.placement)
+        .first->second;
 }
 
 }  // namespace bench

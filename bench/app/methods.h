@@ -6,6 +6,7 @@
 
 #include "bench/app/method.h"
 #include "bench/app/scene_options.h"
+#include "bench/app/texel_options.h"
 #include "photonmap/photon_sinks.h"
 #include "shlm/sink.h"
 
@@ -13,11 +14,11 @@ namespace bench {
 
 /// What a method's name leaves open.
 struct MethodSettings {
-    std::size_t texels = shlm::default_texels;  ///< of a light map in all, as nearly as the layout allows
-    float max_radius = 0;                       ///< of a photon map's k nearest, world units; 0: the default
+    TexelChoice texels;
+    float max_radius = 0;  ///< of a photon map's k nearest, world units; 0: the default
 };
 
-/// "texels=262144 max-radius=auto"
+/// "texels=262144 max-radius=auto", "texels=face,262144 max-radius=0.5"
 [[nodiscard]] std::string describe(const MethodSettings& settings);
 
 /// What the methods prepare once for a scene, whatever its light: the photon map nothing, the light map its
@@ -33,15 +34,16 @@ class PreparedMethods {
     [[nodiscard]] const std::vector<std::string>& lightmap_trouble() const { return trouble_; }
     [[nodiscard]] const std::vector<shlm::LightmapUv>& lightmap_uv() const { return uv_; }
 
-    /// Made when first asked for. Throws InputError where no surface has usable lightmap coordinates.
+    /// Made when first asked for. Throws InputError where no surface can have any.
     [[nodiscard]] const shlm::PreparedTexels& texels() { return texels(settings_.texels); }
-    [[nodiscard]] const shlm::PreparedTexels& texels(std::size_t count);
+    [[nodiscard]] const shlm::PreparedTexels& texels(const TexelChoice& choice);
     [[nodiscard]] const shlm::PreparedTexels& texels_of(const ShlmMethod& method) {
-        return texels(texel_count(method, settings_));
+        return texels(texel_choice(method, settings_));
     }
 
-    [[nodiscard]] static std::size_t texel_count(const ShlmMethod& method, const MethodSettings& settings) {
-        return method.texels > 0 ? method.texels : settings.texels;
+    [[nodiscard]] static TexelChoice texel_choice(const ShlmMethod& method, const MethodSettings& settings) {
+        return {method.texels > 0 ? method.texels : settings.texels.count,
+                method.placement.value_or(settings.texels.placement)};
     }
 
   private:
@@ -49,7 +51,7 @@ class PreparedMethods {
     MethodSettings settings_;
     std::vector<shlm::LightmapUv> uv_;
     std::vector<std::string> trouble_;
-    std::map<std::size_t, shlm::PreparedTexels> texels_;
+    std::map<std::pair<std::size_t, shlm::TexelPlacement>, shlm::PreparedTexels> texels_;
 };
 
 template <int Order, class Work>

@@ -29,7 +29,7 @@ using Json = nlohmann::ordered_json;
 struct TraceOptions {
     std::string file, method = "shlm", hits, photons, first_photon, checkpoint, resume, every = "60s";
     SceneOptions scene;
-    std::string texels = std::to_string(shlm::default_texels);
+    TexelOptions texels;
     RunOptions run;
     bool json = false;
 };
@@ -58,7 +58,7 @@ common::TraceTarget target_of(const TraceOptions& options) {
 TracePlan make_plan(const TraceOptions& options) {
     TracePlan plan{options,
                    parse_method("--method", options.method),
-                   {.texels = parse_count("--texels", options.texels)},
+                   {.texels = options.texels.choice()},
                    target_of(options),
                    options.checkpoint.empty() ? options.resume : options.checkpoint,
                    parse_seconds("--every", options.every)};
@@ -246,7 +246,7 @@ void add_trace_command(CLI::App& app) {
     command->add_option("--resume", options->resume,
                         "Go on from this file, and in it unless --checkpoint names another");
     options->scene.add_to(*command);
-    command->add_option("--texels", options->texels, "Texels in all")->capture_default_str();
+    options->texels.add_to(*command);
     options->run.add_to(*command);
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options] { run(*options); });

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 struct LimitOptions {
     std::string file, light_map = "shlm", photon_map = "photonmap/compact", hits = "2e6";
-    std::string texels = std::to_string(shlm::default_texels);
+    TexelOptions texels;
     int repeat = 9;
     SceneOptions scene;
     RunOptions run;
@@ -42,7 +42,7 @@ LimitPlan make_plan(const LimitOptions& options) {
     LimitPlan plan{options,
                    parse_method("--shlm", options.light_map),
                    parse_method("--photonmap", options.photon_map),
-                   {.texels = parse_count("--texels", options.texels)},
+                   {.texels = options.texels.choice()},
                    parse_count("--hits", options.hits),
                    default_max_bytes()};
     if (!plan.light_map.light_map()) throw common::InputError("--shlm: a light map, shlm/...");
@@ -130,7 +130,7 @@ void add_limit_command(CLI::App& app) {
     command->add_option("--shlm", options->light_map, "Which light map: shlm/...")->capture_default_str();
     command->add_option("--photonmap", options->photon_map, "Which photon map: photonmap/...")
         ->capture_default_str();
-    command->add_option("--texels", options->texels, "Light maps: texels in all")->capture_default_str();
+    options->texels.add_to(*command);
     command->add_option("--repeat", options->repeat, "Repetitions, an odd number")->capture_default_str();
     options->scene.add_to(*command);
     options->run.add_to(*command);

@@ -29,7 +29,7 @@ const Recording& SharedInputs::recording(std::uint64_t hits) {
 
 PreparedMethods& SharedInputs::methods(std::size_t texels) {
     MethodSettings settings;
-    settings.texels = texels;
+    settings.texels.count = texels;
     return methods_.try_emplace(texels, loaded_, settings).first->second;
 }
 

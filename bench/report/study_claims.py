@@ -11,6 +11,7 @@ CONVERGES = ("converges", "Accumulation can go on indefinitely, to maximum conve
 SLOPE_TOLERANCE = 0.1  # from -1, for noise that falls as 1 / hits
 CLEARLY_BETTER = 4.0  # in bias^2: half of the relative bias
 TILTED = 20.0  # degrees between shading and geometric normal from which on a surface counts as tilted
+OWN_HITS = REFERENCE_LIGHT_MAP + "/h0"  # its blocks of texels shrink with the hits until texels show their own
 ORDERS = ("shlm/L1/radiance/knn4", REFERENCE_LIGHT_MAP, "shlm/L4/radiance/knn4")
 
 
@@ -25,7 +26,7 @@ def count(value):
 
 def default_texels(summary):
     settings = dict(part.split("=") for part in summary["context"]["settings"].split())
-    return int(settings["texels"])
+    return int(settings["texels"].split(",")[-1])
 
 
 def largest(points):
@@ -36,8 +37,10 @@ def largest(points):
 
 
 def variance_slope(scene):
-    slope = scene["slopes"].get(REFERENCE_LIGHT_MAP, {}).get("variance")
-    return slope["value"] if slope else None
+    for method in (OWN_HITS, REFERENCE_LIGHT_MAP):
+        if slope := scene["slopes"].get(method, {}).get("variance"):
+            return slope["value"]
+    return None
 
 
 def floor_words(name, scene, texels):
@@ -69,7 +72,7 @@ def converges(summary):
         verdict,
         (floor if verdict == "conditional" else "")
         + "; ".join(floor_words(name, scene, texels) for name, scene in scenes.items())
-        + f" ({REFERENCE_LIGHT_MAP}, {texels} texels).",
+        + f" ({REFERENCE_LIGHT_MAP}, {texels} texels; slopes of {OWN_HITS} where it was measured).",
     )
 
 

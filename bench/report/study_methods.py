@@ -37,6 +37,7 @@ class Method:
     order: int = 0  # of the spherical harmonics
     weight: str = ""  # what a hit stands for: radiance, flux, normalised
     gather: str = ""  # own, bilinear, knn4, ...
+    placement: str = ""  # uv or face; empty: the study's default
     texels: int = 0  # 0: the study's default
     least_hits: int = 0  # texels in blocks of fewer hits share their light
     number: float = 0  # k, C or the radius as a share of the scene's diagonal
@@ -53,16 +54,17 @@ class Method:
 
 
 def parse_light_map(name):
-    parts = re.fullmatch(r"shlm/L(\d+)/(\w+)/(\w+)(?:/t(\d+))?(?:/h(\d+))?", name)
+    parts = re.fullmatch(r"shlm/L(\d+)/(\w+)/(\w+)(?:/(uv|face))?(?:/t(\d+))?(?:/h(\d+))?", name)
     if not parts:
         return None
-    order, weight, gather, texels, least_hits = parts.groups()
+    order, weight, gather, placement, texels, least_hits = parts.groups()
     return Method(
         name,
         LIGHT_MAP,
         order=int(order),
         weight=weight,
         gather=gather,
+        placement=placement or "",
         texels=int(texels or 0),
         least_hits=DEFAULT_LEAST_HITS if least_hits is None else int(least_hits),
     )

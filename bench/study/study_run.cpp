@@ -29,7 +29,7 @@ Json row_start(const RunFacts& facts, const Method& method, const MethodSettings
     const ShlmMethod* light_map = method.light_map();
     return {{"scene", facts.scene},
             {"method", method.name},
-            {"texels", light_map ? PreparedMethods::texel_count(*light_map, settings) : 0},
+            {"texels", light_map ? PreparedMethods::texel_choice(*light_map, settings).count : 0},
             {"hits_asked", facts.hits_asked},
             {"seed", facts.seed}};
 }

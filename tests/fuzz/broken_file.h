@@ -23,7 +23,8 @@ inline std::string trouble_of_scene(const std::filesystem::path& file) {
         (void)common::fingerprint(scene);
         const auto uv = shlm::find_lightmap_uv(scene);
         (void)shlm::describe_lightmap_trouble(scene, uv);
-        const shlm::PreparedTexels texels(scene, uv, 64);
+        for (const auto placement : {shlm::TexelPlacement::uv, shlm::TexelPlacement::face})
+            const shlm::PreparedTexels texels(scene, uv, 64, placement);
         const common::PhotonSource source(scene);
     } catch (const common::InputError& error) {
         return error.what();

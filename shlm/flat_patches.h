@@ -1,0 +1,23 @@
+// Which triangles of a mesh can be laid flat together.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/scene/scene.h"
+
+namespace shlm {
+
+struct FlatPatch {
+    common::Vec3 normal;                  ///< unit, of its plane
+    std::vector<std::uint32_t> triangle;  ///< of the scene
+};
+
+/// Parts of the instance's surface that texels of this size (world units) take for flat: triangles that hang
+/// together edge by edge, whose normals are within 25 degrees of the largest one's, and that stay within half
+/// a texel of its plane. What lies over each other in a patch is therefore the same place to a texel. Each
+/// triangle is in one patch; those without area are in none.
+[[nodiscard]] std::vector<FlatPatch> flat_patches(const common::Scene& scene,
+                                                  const common::MeshInstance& instance, double texel_size);
+
+}  // namespace shlm

@@ -1,0 +1,22 @@
+// A piece of surface laid flat into a rectangle.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "common/core/vector.h"
+
+namespace shlm {
+
+struct TexelChart {
+    /// Of the rectangle, in the world, as if it were covered all over; world units.
+    double width = 0, height = 0;
+    bool both_faces = false;  ///< the backs have a rectangle of their own
+
+    std::vector<std::uint32_t> triangle;  ///< of the scene
+    /// One per triangle: where its corners lie, the rectangle being the unit square.
+    std::vector<std::array<common::Vec2, 3>> corner;
+};
+
+}  // namespace shlm

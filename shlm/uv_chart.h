@@ -1,0 +1,14 @@
+// The chart that a mesh instance's lightmap coordinates describe.
+#pragma once
+
+#include "shlm/lightmap_uv.h"
+#include "shlm/texel_chart.h"
+
+namespace shlm {
+
+/// The rectangle is that around the coordinates; its sides in the world are those that make texels as square
+/// there as the coordinates allow. `uv.texcoord_set` is 0 or 1.
+[[nodiscard]] TexelChart uv_chart(const common::Scene& scene, const common::MeshInstance& instance,
+                                  const LightmapUv& uv);
+
+}  // namespace shlm

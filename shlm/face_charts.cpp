@@ -134,8 +134,8 @@ std::vector<FlatPatch> shared(const Scene& scene, std::vector<FlatPatch> patches
     return kept;
 }
 
-TexelChart laid_flat(const Scene& scene, const FlatPatch& patch, bool both_faces) {
-    const Rectangle rectangle = rectangle_around(scene, patch);
+TexelChart laid_flat(const Scene& scene, const FlatPatch& patch, const Rectangle& rectangle,
+                     bool both_faces) {
     TexelChart chart;
     chart.width = rectangle.size().x;
     chart.height = rectangle.size().y;
@@ -161,8 +161,11 @@ std::vector<TexelChart> face_charts(const Scene& scene, const MeshInstance& inst
 
     std::vector<TexelChart> charts;
     const bool both_faces = scene.material[instance.material].double_sided;
-    for (const FlatPatch& patch : shared(scene, std::move(patches), texel_size))
-        charts.push_back(laid_flat(scene, patch, both_faces));
+    for (const FlatPatch& patch : shared(scene, std::move(patches), texel_size)) {
+        const Rectangle rectangle = rectangle_around(scene, patch);
+        // Slivers can be thinner than what their positions are rounded to: nothing to be laid flat.
+        if (rectangle.area() > 0) charts.push_back(laid_flat(scene, patch, rectangle, both_faces));
+    }
     return charts;
 }
 

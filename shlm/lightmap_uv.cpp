@@ -85,7 +85,7 @@ std::vector<std::string> describe_lightmap_trouble(const Scene& scene, const std
     constexpr const char* remedy =
         "make lightmap coordinates with an unwrapping tool that writes TEXCOORD_1 (Blender: a second UV map, "
         "UV > "
-        "Lightmap Pack; xatlas)";
+        "Lightmap Pack; xatlas), or have texels laid by face";
     double total = 0, missing = 0, overlapping = 0;
     std::size_t missing_count = 0, overlapping_count = 0;
     for (std::size_t i = 0; i < uv.size(); ++i) {
@@ -99,17 +99,18 @@ std::vector<std::string> describe_lightmap_trouble(const Scene& scene, const std
             ++overlapping_count;
         }
     }
+    const auto percent = [&](double area) { return total > 0 ? 100 * area / total : 0; };
     std::vector<std::string> lines;
     if (missing_count > 0)
         lines.push_back(fmt::format(
             "{} of {} mesh instances have no usable lightmap coordinates: {:.4g} m^2, {:.1f} % of "
             "the diffuse surface, get no texels; {}",
-            missing_count, uv.size(), missing, 100 * missing / total, remedy));
+            missing_count, uv.size(), missing, percent(missing), remedy));
     if (overlapping_count > 0)
         lines.push_back(fmt::format(
             "lightmap coordinates overlap in {} of {} mesh instances: {:.4g} m^2, {:.1f} % of the "
             "diffuse surface, share their texels with other surfaces; {}",
-            overlapping_count, uv.size(), overlapping, 100 * overlapping / total, remedy));
+            overlapping_count, uv.size(), overlapping, percent(overlapping), remedy));
     return lines;
 }
 

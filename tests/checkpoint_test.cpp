@@ -44,7 +44,7 @@ TEST_F(Checkpoint, AResumedRunEndsAsAnUninterruptedOne) {
     const Words to_photons = {"--photons", "30001"}, to_hits = {"--hits", "100000"};
     for (const auto& [target, method] :
          {std::pair(to_photons, "shlm"), std::pair(to_hits, "shlm"), std::pair(to_hits, "shlm/L0/normalised"),
-          std::pair(to_photons, "shlm/L4/flux")}) {
+          std::pair(to_photons, "shlm/L4/flux"), std::pair(to_photons, "shlm/L2/radiance/knn4/face")}) {
         SCOPED_TRACE(target[0] + " " + method);
         for (const auto& entry : fs::directory_iterator(folder.path())) fs::remove(entry);
         Words all = target;
@@ -132,6 +132,7 @@ TEST_F(Checkpoint, FilesOfAnotherRunAreRefused) {
     refused({"--method", "shlm/L1"}, {file, "L2/radiance, not L1/radiance"});
     refused({"--method", "shlm/L2/flux"}, {file, "L2/radiance, not L2/flux"});
     refused({"--method", "shlm/L2/radiance/knn4/t2000"}, {file, "--texels 1500, not 2000"});
+    refused({"--method", "shlm/L2/radiance/knn4/face"}, {file, "--texels 1500, not face,1500"});
     refused({"--sky", "1,1,1"}, {file, "fingerprint"});
     refused({}, {file, "fingerprint"}, build_folder + "/scenes/bumpy.glb");
     refused({"--first-photon", "5"}, {file, "begins at photon 0, not 5"});

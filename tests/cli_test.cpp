@@ -82,8 +82,9 @@ TEST_F(BadScene, NoLight) {
 
 TEST_F(BadScene, NoLightmapCoordinatesForALightMap) {
     const std::string scene = write(gltf_text::one_triangle());
-    for (const char* method : {"shlm", "shlm/L2/flux"})
-        expect_refusal(render(scene, method, {"--sky", "1,1,1"}), {"scene.gltf", "unwrapping", "TEXCOORD_1"});
+    const Words fragments = {"scene.gltf", "unwrapping", "TEXCOORD_1", "by face"};
+    expect_refusal(render(scene, "shlm", {"--sky", "1,1,1", "--texels", "uv"}), fragments);
+    expect_refusal(render(scene, "shlm/L2/flux/knn4/uv", {"--sky", "1,1,1"}), fragments);
 }
 
 TEST_F(BadScene, NothingThatTheCameraSees) {
@@ -178,7 +179,7 @@ TEST_F(BadOption, Numbers) {
     const std::vector<std::pair<std::string, Words>> bad = {
         {"--threads", {"-1", "1025", "many"}},
         {"--seed", {"-1", "1.5", "text", "1e30"}},
-        {"--texels", {"-1", "0", "nan", "1e30"}},
+        {"--texels", {"-1", "0", "nan", "1e30", "faces", "face,", "uv,0", "64,face"}},
         {"--max-radius", {"-1", "nan", "inf"}},
     };
     for (const auto& [option, values] : bad)

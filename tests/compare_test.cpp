@@ -43,7 +43,8 @@ TEST_F(Compare, WritesItsTable) {
 TEST_F(Compare, SaysWhyALightMapIsNotToBeHad) {
     const std::string scene = write(gltf_text::one_triangle());
     const Ended ended = run({"compare", scene, "--hits", "500", "--repetitions", "1", "--methods",
-                             "photonmap,shlm", "--sky", "1,1,1", "--out", path("results")});
+                             "photonmap,shlm", "--sky", "1,1,1", "--texels", "uv", "--out",
+                             path("results")});
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
     const Json rows = Json::parse(text_of(path("results/compare.json")))["rows"];
     ASSERT_EQ(rows.size(), 2u);

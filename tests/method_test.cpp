@@ -34,7 +34,8 @@ TEST(MethodName, TakesDefaultsForWhatIsLeftOut) {
 TEST(MethodName, StaysAsItIsWhereItIsFull) {
     for (const char* name :
          {"shlm/L0/normalised/own", "shlm/L4/radiance/bilinear", "shlm/L2/radiance/knn8/t65536",
-          "shlm/L2/radiance/own/h0", "shlm/L2/radiance/bilinear/t64/h28", "photonmap/flann/k200/cone",
+          "shlm/L2/radiance/own/h0", "shlm/L2/radiance/bilinear/t64/h28",
+          "shlm/L2/radiance/knn4/face", "shlm/L2/radiance/knn4/uv/t64/h0", "photonmap/flann/k200/cone",
           "photonmap/flann/k0.05n23/epanechnikov", "photonmap/flann/r0.003/disc",
           "photonmap/nanoflann/k0.05n23/cone", "photonmap/compact/k50/cone", "photonmap/grid/r0.01/cone"})
         EXPECT_EQ(full_name(name), name);
@@ -47,6 +48,9 @@ TEST(MethodName, SaysWhatAMethodIs) {
     EXPECT_EQ(light_map.light_map()->weight, shlm::ShWeight::normalised);
     EXPECT_EQ(std::get<shlm::NearestTexels>(light_map.light_map()->gather).count, 8u);
     EXPECT_EQ(light_map.light_map()->texels, 4096u);
+    EXPECT_FALSE(light_map.light_map()->placement.has_value()) << "as --texels says";
+    EXPECT_EQ(bench::parse_method("", "shlm/L2/radiance/knn4/face").light_map()->placement,
+              shlm::TexelPlacement::face);
 
     const bench::Method photon_map = bench::parse_method("", "photonmap/flann/r0.01/cone");
     ASSERT_NE(photon_map.photon_map(), nullptr);
@@ -62,6 +66,7 @@ TEST(MethodName, OneStoreServesMethodsThatAskItDifferently) {
     EXPECT_FALSE(alike("shlm/L2/radiance/knn4", "shlm/L1/radiance/knn4"));
     EXPECT_FALSE(alike("shlm/L2/radiance/knn4", "shlm/L2/flux/knn4"));
     EXPECT_FALSE(alike("shlm/L2/radiance/knn4", "shlm/L2/radiance/knn4/t64"));
+    EXPECT_FALSE(alike("shlm/L2/radiance/knn4", "shlm/L2/radiance/knn4/face"));
     EXPECT_TRUE(alike("photonmap/flann/k50/disc", "photonmap/flann/r0.01/cone"));
     EXPECT_FALSE(alike("photonmap/flann", "photonmap/flann-incremental"));
     EXPECT_FALSE(alike("photonmap/flann", "photonmap/nanoflann"));
@@ -79,7 +84,8 @@ TEST(MethodName, EveryComplaintNamesTheOptionAndTheChoices) {
              {"shlm/L2/power", {"'power'", "radiance", "flux", "normalised"}},
              {"shlm/L2/radiance/knn0", {"'knn0'", "own", "bilinear", "knnK"}},
              {"shlm/L2/radiance/knn4x", {"'knn4x'"}},
-             {"shlm/L2/radiance/own/65536", {"'65536'", "t65536"}},
+             {"shlm/L2/radiance/own/65536", {"'65536'", "uv", "face", "t65536"}},
+             {"shlm/L2/radiance/own/t64/face", {"'face'"}},
              {"shlm/L2/radiance/own/t0", {"'t0'"}},
              {"shlm/L2/radiance/own/t64/", {"''", "h0"}},
              {"shlm/L2/radiance/own/h-1", {"'h-1'", "h0"}},

@@ -368,17 +368,17 @@ TEST_F(Study, SaysWhyALightMapIsNotToBeHad) {
     const std::string scene = gltf_text::one_triangle().write(folder).string();
     make_reference("scene.exr", {"--width", "16", "--height", "9", "--sky", "1,1,1"}, scene);
     const Json rows = study({.out = path("out"),
-                             .methods = {"shlm/L2/radiance/own", "photonmap"},
+                             .methods = {"shlm/L2/radiance/own/uv", "shlm/L2/radiance/own", "photonmap"},
                              .hits = "500",
                              .seeds = "1",
                              .more = {"--sky", "1,1,1"},
                              .references = folder.path().string(),
                              .scene = scene});
-    ASSERT_EQ(rows.size(), 2u);
+    ASSERT_EQ(rows.size(), 3u);
     for (const Json& row : rows) {
-        const bool is_light_map = row["method"] == "shlm/L2/radiance/own";
-        ASSERT_EQ(row.contains("skipped"), is_light_map) << row;
-        if (is_light_map) {
+        const bool by_uv = row["method"] == "shlm/L2/radiance/own/uv";
+        ASSERT_EQ(row.contains("skipped"), by_uv) << row;
+        if (by_uv) {
             EXPECT_NE(row["skipped"].get<std::string>().find("TEXCOORD_1"), std::string::npos) << row;
         }
     }

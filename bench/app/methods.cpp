@@ -29,13 +29,13 @@ const shlm::PreparedTexels& PreparedMethods::texels(const TexelChoice& choice) {
     const bool possible = std::any_of(uv_.begin(), uv_.end(), [&](const shlm::LightmapUv& uv) {
         return by_uv ? uv.texcoord_set >= 0 : uv.area > 0;
     });
-    if (!possible)
+    if (!possible) {
+        const std::vector<std::string> trouble = shlm::describe_lightmap_trouble(*scene_, uv_);
         throw common::InputError(
             fmt::format("{}: {}", scene_->source,
-                        by_uv ? "no diffuse surface has usable lightmap coordinates; --texels face needs none"
-                              : "no diffuse surface for a light map"));
-    return texels_
-        .try_emplace({choice.count, choice.placement}, *scene_, uv_, choice.count, choice.placement)
+                        trouble.empty() || !by_uv ? "no diffuse surface for a light map" : trouble.front()));
+    }
+    return texels_.try_emplace({choice.count, choice.placement}, *scene_, uv_, choice.count, choice.placement)
         .first->second;
 }
 

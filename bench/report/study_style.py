@@ -35,6 +35,7 @@ OTHER_GATHER = (0, (6, 1.5, 1, 1.5))
 KERNEL_DASHES = {"cone": (0, (4, 1.5)), "epanechnikov": (0, (1, 1.2))}
 GATHER_MARKERS = {"knn4": "^", "own": "v", "bilinear": "D"}
 OTHER_GATHER_MARKER = "*"
+PLACEMENT_FILLS = {"": "full", "uv": "left", "face": "right"}
 FAMILY_MARKERS = {FIXED_K: "o", GROWING_K: "s", FIXED_RADIUS: "p"}
 
 
@@ -62,6 +63,7 @@ class Styles:
             return {
                 "color": colour,
                 "marker": GATHER_MARKERS.get(method.gather, OTHER_GATHER_MARKER),
+                "fillstyle": PLACEMENT_FILLS[method.placement],
                 "linestyle": dashes,
             }
         if method.family in MAPS:

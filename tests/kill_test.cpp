@@ -16,7 +16,7 @@ class Kill : public Command {
   protected:
     /// With checkpoints so close together that about every other moment is in the middle of one.
     [[nodiscard]] Words trace(const std::string& option, const std::string& file, int threads) const {
-        const std::uint64_t photons = tests::count_for(1'500'000, 800'000);
+        const std::uint64_t photons = tests::count_for(1'500'000, 200'000);
         return {"trace",    cornell,    "--photons", std::to_string(photons),
                 "--texels", "10000",    "--every",   "0.01s",
                 option,     path(file), "--threads", std::to_string(threads)};

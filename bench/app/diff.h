@@ -1,7 +1,9 @@
 // shlmbench diff: how far an image is from a reference.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

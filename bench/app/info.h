@@ -1,7 +1,9 @@
 // shlmbench info: what is in a scene and what the methods can do with it.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

@@ -1,6 +1,8 @@
 // shlmbench: photon maps against spherical harmonic light maps.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "bench/app/diff.h"
 #include "bench/app/ending.h"
 #include "bench/app/info.h"

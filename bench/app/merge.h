@@ -1,7 +1,9 @@
 // shlmbench merge: light maps of adjoining photons into one.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

@@ -1,5 +1,7 @@
 #include "bench/app/method_options.h"
 
+#include <CLI/CLI.hpp>
+
 #include "common/core/input_error.h"
 
 namespace bench {

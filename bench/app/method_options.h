@@ -1,10 +1,13 @@
 // The options that set what a method's name leaves open.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "bench/app/methods.h"
+
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

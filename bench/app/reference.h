@@ -1,7 +1,9 @@
 // shlmbench reference: what the methods estimate, by path tracing, with its error.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

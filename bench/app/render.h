@@ -1,7 +1,9 @@
 // shlmbench render: one method's picture of a scene.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

@@ -1,5 +1,6 @@
 #include "bench/app/run_options.h"
 
+#include <CLI/CLI.hpp>
 #include <thread>
 
 #include "common/core/input_error.h"

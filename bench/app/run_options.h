@@ -1,8 +1,11 @@
 // How much to trace, with how many threads and which random numbers.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
+
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

@@ -1,12 +1,15 @@
 // The options that every command on a scene takes, and the scene they give.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
 #include "common/tracer/photon_source.h"
 #include "common/tracer/ray_scene.h"
+
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

@@ -1,10 +1,13 @@
 // --texels: how many a light map has, and what they are laid out by.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "shlm/settings.h"
+
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

@@ -1,7 +1,9 @@
 // shlmbench trace: a light map filled for as long as one likes, kept in a file.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

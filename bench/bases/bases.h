@@ -1,7 +1,9 @@
 // shlmbench bases: what a texel's basis loses at tilted normals, without a scene and without noise.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

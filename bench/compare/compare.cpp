@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "bench/app/ending.h"
 #include "bench/app/output_folder.h"
 #include "bench/app/python.h"

@@ -1,7 +1,9 @@
 // shlmbench compare: the methods side by side, over scenes and numbers of hits.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

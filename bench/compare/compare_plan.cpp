@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "bench/app/memory_need.h"
 #include "bench/app/output_folder.h"
 #include "common/core/input_error.h"

@@ -1,11 +1,16 @@
 // What a comparison is asked to do, checked.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "bench/app/method_options.h"
 #include "bench/app/run_options.h"
+
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

@@ -1,7 +1,9 @@
 // shlmbench limit: how near tracing comes to what Embree alone does with the same rays.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

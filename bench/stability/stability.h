@@ -1,7 +1,9 @@
 // shlmbench stability: the collection of failure cases.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

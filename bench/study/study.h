@@ -1,7 +1,9 @@
 // shlmbench study: error beside time and bytes, over methods, hits and seeds.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace bench {
 

@@ -8,6 +8,10 @@
 #include "bench/app/method_options.h"
 #include "bench/app/run_options.h"
 
+namespace CLI {
+class App;
+}
+
 namespace bench {
 
 struct StudyOptions {

@@ -2,6 +2,8 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include <iterator>
+
 #include "shlm/face_charts.h"
 #include "shlm/texel_layout.h"
 #include "shlm/uv_chart.h"

@@ -9,9 +9,12 @@ namespace bench {
 /// of the walls have no lightmap coordinates, and so many others show their backs.
 struct FaultyBox {
     common::Scene scene;
-    shlm::PreparedTexels texels;
+    shlm::PreparedTexels texels, by_face;
 
-    explicit FaultyBox(std::size_t faulty) : scene(scene_with(faulty)), texels(texels_of(scene, 600)) {}
+    explicit FaultyBox(std::size_t faulty)
+        : scene(scene_with(faulty)),
+          texels(texels_of(scene, 600)),
+          by_face(scene, shlm::find_lightmap_uv(scene), 600, shlm::TexelPlacement::face) {}
 
     static common::Scene scene_with(std::size_t faulty) {
         common::Scene scene;

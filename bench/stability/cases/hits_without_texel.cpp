@@ -53,12 +53,16 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     const auto none = [](double) { return 0.0; };
     const auto of_one_kind = [](double walls) { return walls / 6; };
     const auto of_neither = [](double walls) { return 1 - 2 * walls / 6; };
+    const auto of_fronts = [](double walls) { return 1 - walls / 6; };
+    const bool faces_need_uv = run.has_mutation("texels by face need coordinates");
     const bool as_light_map = run.has_mutation("a photon map needs coordinates");
     std::vector<StabilityCurve> curves = {
         curve_at("photon maps: stored", places, [&](double w) { return as_light_map ? of_neither(w) : 1; }),
         curve_at("light map: stored", places, of_neither),
         curve_at("light map: no coordinates", places, of_one_kind),
         curve_at("light map: back of a single-sided surface", places, of_one_kind),
+        curve_at("light map by face: stored", places,
+                 [&](double w) { return faces_need_uv ? of_neither(w) : of_fronts(w); }),
         curve_at("all: not finite, of those that are not", places, all),
         curve_at("all: neither stored nor rejected", places, none)};
     std::vector<FaultyBox> boxes;
@@ -72,13 +76,15 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             const std::vector<HitBatch> wave = {hits, broken_copies(hits)};
             const GatherSettings gather = nearest(50, 0.1);
             const Taken light_map = offer_to_light_map(box.texels, wave);
+            const Taken by_face = offer_to_light_map(box.by_face, wave);
             const std::vector<Taken> everyone = {
                 offer_to_photon_map(photonmap::FlannPhotonSink(box.scene, gather), wave),
                 offer_to_photon_map(photonmap::NanoflannPhotonSink(box.scene, gather), wave),
                 offer_to_photon_map(photonmap::FlannIncrementalPhotonSink(box.scene, gather), wave),
                 offer_to_photon_map(photonmap::GridPhotonSink(box.scene, gather), wave),
                 offer_to_photon_map(photonmap::CompactPhotonSink(box.scene, gather), wave),
-                light_map};
+                light_map,
+                by_face};
 
             double stored = 0, not_finite = 0, lost = 0;
             for (const Taken& taken : everyone) {
@@ -89,14 +95,15 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
                 if (!run.has_mutation("rejected hits are not counted"))
                     lost -= static_cast<double>(taken.rejected.total());
             }
-            stored -= static_cast<double>(light_map.stored);
+            stored -= static_cast<double>(light_map.stored + by_face.stored);
             const auto offered = static_cast<double>(hits.size()),
                        broken = static_cast<double>(wave[1].size()),
                        stores = static_cast<double>(everyone.size());
-            const double measured[] = {stored / (stores - 1) / offered,
+            const double measured[] = {stored / (stores - 2) / offered,
                                        static_cast<double>(light_map.stored) / offered,
                                        static_cast<double>(light_map.rejected.without_lightmap_uv) / offered,
                                        static_cast<double>(light_map.rejected.back_of_single_sided) / offered,
+                                       static_cast<double>(by_face.stored) / offered,
                                        not_finite / stores / broken,
                                        lost / offered};
             for (std::size_t c = 0; c < curves.size(); ++c)
@@ -117,10 +124,11 @@ const RegisteredCase registered(
      .measured = "part of the hits",
      .theory = "A sixth of the hits on each wall. hits = stored + rejected, to the hit. NaN and both "
                "infinities in each of nine numbers are counted as not finite. Photon maps store the rest.",
-     .advice = "Heed what render says it rejected, and hits_rejected in the table of compare. Unwrap the "
-               "mesh; make "
-               "materials of open surfaces double-sided.",
-     .mutations = {"a photon map needs coordinates", "rejected hits are not counted"},
+     .advice = "Heed what render says it rejected, and hits_rejected in the table of compare. Have texels by "
+               "face, the default where coordinates are missing; make materials of open surfaces "
+               "double-sided.",
+     .mutations = {"a photon map needs coordinates", "texels by face need coordinates",
+                   "rejected hits are not counted"},
      .run = run});
 
 }  // namespace

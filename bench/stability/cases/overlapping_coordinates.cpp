@@ -46,13 +46,14 @@ std::vector<SurfacePoint> points_on(const common::Scene& scene, std::uint32_t qu
 struct Overlap {
     common::Scene scene;
     shlm::LightmapUv uv;
-    shlm::PreparedTexels texels;
+    shlm::PreparedTexels texels, automatic;  ///< by the coordinates, and by face where these overlap
     double texel_width;
 
-    Overlap(double overlap, float apart)
+    Overlap(double overlap, float apart, shlm::TexelPlacement remedy)
         : scene(two_quads(overlap, apart)),
           uv(shlm::find_lightmap_uv(scene).front()),
           texels(scene, std::span(&uv, 1), 2 * texels_of_a_quad),
+          automatic(scene, std::span(&uv, 1), 2 * texels_of_a_quad, remedy),
           texel_width((2 - overlap) / texels.layout.regions()[0].width) {}
 
     /// As if no texel had more surface than one quad brings.
@@ -87,11 +88,16 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         curve_at("photon map, lit quad", places, [](double) { return 1.0; }),
         curve_at("light map, dark quad, own texel", places, [](double o) { return o / 2; }),
         curve_at("light map, lit quad, own texel", places, [](double o) { return 1 - o / 2; }),
-        curve_at("light map, lit quad, 4 nearest texels", places, [](double) { return 0.0; })};
+        curve_at("light map, lit quad, 4 nearest texels", places, [](double) { return 0.0; }),
+        curve_at("light map by face, dark quad", places, [](double) { return 0.0; }),
+        curve_at("light map by face, lit quad", places, [](double) { return 1.0; })};
     std::vector<Overlap> overlaps;
+    const auto remedy = run.has_mutation("coordinates are used though they overlap")
+                            ? shlm::TexelPlacement::uv
+                            : shlm::TexelPlacement::automatic;
     for (std::size_t i = 0; i < std::size(places); ++i) {
-        Overlap& overlap =
-            overlaps.emplace_back(places[i], run.has_mutation("the quads are in one place") ? 0.0f : 5.0f);
+        Overlap& overlap = overlaps.emplace_back(
+            places[i], run.has_mutation("the quads are in one place") ? 0.0f : 5.0f, remedy);
         // Sample points, 128 or more to a quad's width: each end of the overlap, and of the quad, is where
         // it is within half of their distance, and so is the diagonal that parts its triangles.
         curves[0].points[i].allowed = 3.0 / 128;
@@ -106,13 +112,14 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     run.for_each_seed([&](std::uint64_t seed) {
         Generator generator(seed);
         for (std::size_t i = 0; i < std::size(places); ++i) {
-            const auto& [scene, uv, texels, width] = overlaps[i];
+            const auto& [scene, uv, texels, automatic, width] = overlaps[i];
             common::HitBatch hits;
             irradiate_quad(hits, scene, lit_quad, run.either<std::size_t>(80'000, 20'000), generator,
                            always({0, 0, -1}));
             const auto photon_map = photon_map_of(scene, hits, within(scene, radius));
             const auto own = light_map_of<FlatModel>(texels, hits, shlm::OwnTexel{});
             const auto nearest = light_map_of<FlatModel>(texels, hits, shlm::NearestTexels{4});
+            const auto by_face = light_map_of<FlatModel>(automatic, hits, shlm::OwnTexel{});
             const auto lit = points_on(scene, lit_quad, 0, generator),
                        dark = points_on(scene, dark_quad, 0, generator);
             curves[1].points[i].measured.push_back(mean_irradiance(photon_map, dark));
@@ -121,6 +128,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             curves[3].points[i].measured.push_back(mean_irradiance(own, dark));
             curves[4].points[i].measured.push_back(mean_irradiance(own, lit));
             curves[5].points[i].measured.push_back(mean_irradiance(nearest, lit));
+            curves[6].points[i].measured.push_back(mean_irradiance(by_face, dark));
+            curves[7].points[i].measured.push_back(mean_irradiance(by_face, lit));
         }
     });
     return curves;
@@ -137,11 +146,11 @@ const RegisteredCase registered(
      .measured = "irradiance / that on the lit quad",
      .theory = "A shared texel has the light of one quad and the area of both: dark quad o/2, lit quad 1 "
                "- o/2. The middle of a shared texel is between the quads, where the 4 nearest are not "
-               "looked for: black. Photon map: 0 and 1.",
-     .advice = "shlmbench info tells the overlap before tracing, and render and compare warn of it. Unwrap "
-               "the mesh "
-               "without overlap into TEXCOORD_1. TEXCOORD_0 is not used where it overlaps.",
-     .mutations = {"the quads are in one place", "a shared texel has the area of one surface"},
+               "looked for: black. Photon map, and texels by face: 0 and 1.",
+     .advice = "Nothing to do: overlap is found before tracing, and such surfaces have texels by face. With "
+               "--texels uv, render and compare warn of it.",
+     .mutations = {"the quads are in one place", "a shared texel has the area of one surface",
+                   "coordinates are used though they overlap"},
      .run = run});
 
 }  // namespace

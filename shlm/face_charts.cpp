@@ -17,7 +17,6 @@ using Imath::V2d;
 using Imath::V3d;
 
 constexpr double least_covered = 0.5;
-constexpr float same_chart_cosine = 0.9f;
 
 V3d corner_of(const Scene& scene, std::uint32_t triangle, std::size_t corner) {
     return V3d(scene.position[scene.triangle[triangle][corner]]);
@@ -121,7 +120,7 @@ std::vector<FlatPatch> shared(const Scene& scene, std::vector<FlatPatch> patches
         }
         std::vector<std::size_t>& hosts = in_cube[*cube];
         const auto host = std::find_if(hosts.begin(), hosts.end(), [&](std::size_t i) {
-            return kept[i].normal.dot(patch.normal) >= same_chart_cosine;
+            return kept[i].normal.dot(patch.normal) >= same_patch_cosine;
         });
         if (host == hosts.end()) {
             hosts.push_back(kept.size());

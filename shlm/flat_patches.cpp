@@ -13,7 +13,6 @@ using common::Scene;
 using common::Vec3;
 
 constexpr std::uint32_t none = 0xffffffff;
-constexpr float same_patch_cosine = 0.9f;
 
 /// Corners of the instance's triangles, three each, as numbers that are equal where positions are: files
 /// repeat vertices where normals or texture coordinates differ.

@@ -8,6 +8,9 @@
 
 namespace shlm {
 
+/// What faces apart by up to 25 degrees may lie in one patch.
+inline constexpr float same_patch_cosine = 0.9f;
+
 struct FlatPatch {
     common::Vec3 normal;                  ///< unit, of its plane
     std::vector<std::uint32_t> triangle;  ///< of the scene

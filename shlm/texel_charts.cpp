@@ -13,19 +13,14 @@ namespace {
 
 using common::Scene;
 
-bool is_diffuse(const Scene& scene, const common::MeshInstance& instance) {
-    return scene.material[instance.material].kind == common::SurfaceKind::diffuse;
-}
-
 std::vector<TexelChart> charts_at_size(const Scene& scene, std::span<const LightmapUv> uv,
                                        TexelPlacement placement, double texel_size) {
     std::vector<std::vector<TexelChart>> of_instance(scene.instance.size());
     tbb::parallel_for(std::size_t{0}, of_instance.size(), [&](std::size_t i) {
         const common::MeshInstance& instance = scene.instance[i];
-        if (!is_diffuse(scene, instance)) return;
         if (placed_by_uv(uv[i], placement))
             of_instance[i].push_back(uv_chart(scene, instance, uv[i]));
-        else if (placement != TexelPlacement::uv)
+        else if (placed_by_face(uv[i], placement))
             of_instance[i] = face_charts(scene, instance, texel_size);
     });
     std::vector<TexelChart> charts;
@@ -35,14 +30,10 @@ std::vector<TexelChart> charts_at_size(const Scene& scene, std::span<const Light
 }
 
 /// If texels fitted together without a rest.
-double ideal_texel_size(const Scene& scene, std::size_t wanted_texels) {
+double ideal_texel_size(const Scene& scene, std::span<const LightmapUv> uv, std::size_t wanted_texels) {
     double area = 0;
-    for (const common::MeshInstance& instance : scene.instance) {
-        if (!is_diffuse(scene, instance)) continue;
-        const int faces = scene.material[instance.material].double_sided ? 2 : 1;
-        for (std::uint32_t t = 0; t < instance.triangle_count; ++t)
-            area += faces * double{common::triangle_area(scene, instance.first_triangle + t)};
-    }
+    for (std::size_t i = 0; i < uv.size(); ++i)
+        area += (scene.material[scene.instance[i].material].double_sided ? 2 : 1) * uv[i].area;
     return std::sqrt(area / static_cast<double>(wanted_texels));
 }
 
@@ -53,13 +44,17 @@ bool placed_by_uv(const LightmapUv& uv, TexelPlacement placement) {
     return placement == TexelPlacement::uv || !uv.overlaps();
 }
 
+bool placed_by_face(const LightmapUv& uv, TexelPlacement placement) {
+    return uv.area > 0 && placement != TexelPlacement::uv && !placed_by_uv(uv, placement);
+}
+
 std::vector<TexelChart> texel_charts(const Scene& scene, std::span<const LightmapUv> uv,
                                      TexelPlacement placement, std::size_t wanted_texels) {
     // Where surfaces are in pieces smaller than texels, these must be larger for no more than are wanted:
     // then more of the surface is flat to them, and has fewer charts.
     constexpr int most_attempts = 20;
     const auto wanted = static_cast<double>(wanted_texels);
-    double size = ideal_texel_size(scene, wanted_texels);
+    double size = ideal_texel_size(scene, uv, wanted_texels);
     for (int attempt = 1;; ++attempt) {
         std::vector<TexelChart> charts = charts_at_size(scene, uv, placement, size);
         const double excess = texels_at_size(charts, size) / wanted;

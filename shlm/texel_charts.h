@@ -9,8 +9,9 @@
 
 namespace shlm {
 
-/// Whether an instance's texels lie by its lightmap coordinates; by its faces, or nowhere, otherwise.
+/// Whether an instance's texels lie by its lightmap coordinates, or by its faces. Where neither, it has none.
 [[nodiscard]] bool placed_by_uv(const LightmapUv& uv, TexelPlacement placement);
+[[nodiscard]] bool placed_by_face(const LightmapUv& uv, TexelPlacement placement);
 
 /// For all diffuse surfaces that have a place. `uv` has one entry for each mesh instance. Charts of faces are
 /// made for the size that `wanted_texels` will have.

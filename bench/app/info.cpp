@@ -44,11 +44,10 @@ Json lightmap_facts(PreparedMethods& prepared) {
 Json texel_facts(PreparedMethods& prepared) {
     const shlm::TexelPlacement placement = prepared.settings().texels.placement;
     std::size_t by_uv = 0, by_face = 0;
-    for (const shlm::LightmapUv& uv : prepared.lightmap_uv())
-        if (shlm::placed_by_uv(uv, placement))
-            ++by_uv;
-        else if (uv.area > 0 && placement != shlm::TexelPlacement::uv)
-            ++by_face;
+    for (const shlm::LightmapUv& uv : prepared.lightmap_uv()) {
+        by_uv += shlm::placed_by_uv(uv, placement);
+        by_face += shlm::placed_by_face(uv, placement);
+    }
     if (by_uv + by_face == 0) return nullptr;
 
     const shlm::PreparedTexels& texels = prepared.texels();

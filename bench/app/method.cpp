@@ -127,7 +127,8 @@ void take_texels(NameParts& parts, ShlmMethod& method) {
         part = parts.take("");
     }
     const auto hits = count_between("h", part, 0, most_hits);
-    if (!hits) parts.complain(part, "uv, face, a number of texels such as t65536, or of hits to a block such as h0");
+    if (!hits)
+        parts.complain(part, "uv, face, a number of texels such as t65536, or of hits to a block such as h0");
     method.least_hits = *hits;
 }
 

@@ -27,7 +27,7 @@ std::string describe(const MethodSettings& settings) {
 const shlm::PreparedTexels& PreparedMethods::texels(const TexelChoice& choice) {
     const bool by_uv = choice.placement == shlm::TexelPlacement::uv;
     const bool possible = std::any_of(uv_.begin(), uv_.end(), [&](const shlm::LightmapUv& uv) {
-        return by_uv ? uv.texcoord_set >= 0 : uv.area > 0;
+        return shlm::placed_by_uv(uv, choice.placement) || shlm::placed_by_face(uv, choice.placement);
     });
     if (!possible) {
         const std::vector<std::string> trouble = shlm::describe_lightmap_trouble(*scene_, uv_);

@@ -19,7 +19,7 @@ struct TexelChoice {
 /// "auto", "uv" or "face".
 [[nodiscard]] std::string name_of(shlm::TexelPlacement placement);
 
-/// "262144", "face", or both as "face,262144": automatic where none is said.
+/// "262144", or "face,262144" where the placement is not automatic.
 [[nodiscard]] std::string describe(const TexelChoice& texels);
 
 struct TexelOptions {
@@ -27,7 +27,7 @@ struct TexelOptions {
 
     void add_to(CLI::App& command);
 
-    /// Throws InputError, naming the option, for anything else than what `describe` gives.
+    /// A number, a placement, or both as in face,65536. Throws InputError, naming the option, for the rest.
     [[nodiscard]] TexelChoice choice() const;
 };
 

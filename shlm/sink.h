@@ -17,13 +17,14 @@ class Sink {
     void consume(std::span<const common::HitBatch> wave) { accumulator_.consume(wave); }
     void add(const common::HitBatch& hits) { accumulator_.add(hits); }
 
-    [[nodiscard]] LightMap<Model> finish(float watts_per_flux) const {
+    [[nodiscard]] HarmonicMap<Model> finish(float watts_per_flux) const {
         return finish(watts_per_flux, gather_, least_hits_);
     }
 
-    /// The same light asked in another way.
-    [[nodiscard]] LightMap<Model> finish(float watts_per_flux, const Gather& gather,
-                                         std::uint64_t least_hits) const {
+    /// The same light kept in another basis, as other numbers, or asked in another way.
+    template <Basis B = Harmonics<Model::order>, class Number = float>
+    [[nodiscard]] LightMap<B, Number> finish(float watts_per_flux, const Gather& gather,
+                                             std::uint64_t least_hits) const {
         return {accumulator_.sums(), *texels_, watts_per_flux, gather, least_hits};
     }
 
@@ -35,6 +36,7 @@ class Sink {
         return rejected;
     }
     [[nodiscard]] std::size_t bytes() const { return accumulator_.bytes(); }
+    [[nodiscard]] const PreparedTexels& texels() const { return *texels_; }
     [[nodiscard]] const Accumulator<Model>& accumulator() const { return accumulator_; }
     [[nodiscard]] Accumulator<Model>& accumulator() { return accumulator_; }
 
@@ -49,6 +51,6 @@ class Sink {
 using PaperModel = TexelModel<2, ShWeight::radiance>;
 
 static_assert(common::MapSink<Sink<PaperModel>> && common::UnorderedSink<Sink<PaperModel>>);
-static_assert(common::IrradianceEstimator<LightMap<PaperModel>>);
+static_assert(common::IrradianceEstimator<HarmonicMap<PaperModel>>);
 
 }  // namespace shlm

@@ -1,6 +1,7 @@
 // Where the texels are: a region of the light map for each chart, and the texel under a surface point.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -52,6 +53,17 @@ class TexelLayout {
     [[nodiscard]] std::size_t texel_count() const { return texel_count_; }
 
     [[nodiscard]] const TriangleTexels& triangle(std::uint32_t index) const { return triangles_[index]; }
+
+    /// Of the scene.
+    [[nodiscard]] std::size_t triangle_count() const { return triangles_.size(); }
+
+    /// Index of the region that a triangle with texels lies in.
+    [[nodiscard]] std::size_t region_of(std::uint32_t triangle) const {
+        const auto after = std::upper_bound(
+            regions_.begin(), regions_.end(), triangles_[triangle].first_texel,
+            [](std::uint32_t texel, const TexelRegion& region) { return texel < region.first_texel; });
+        return static_cast<std::size_t>(after - regions_.begin()) - 1;
+    }
 
     [[nodiscard]] std::size_t bytes() const {
         return triangles_.capacity() * sizeof(TriangleTexels) + regions_.capacity() * sizeof(TexelRegion);

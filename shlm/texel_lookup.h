@@ -8,6 +8,7 @@
 #include "common/point_index/flann_index.h"
 #include "shlm/prepared_texels.h"
 #include "shlm/settings.h"
+#include "shlm/texel_places.h"
 
 namespace shlm {
 
@@ -25,33 +26,37 @@ struct TexelFace {
 // `use(index, weight)` for those that answer for a point; `face(index)` is the TexelFace of one of them.
 // Weights need not add up to 1.
 
+/// Of the rectangle that the place is on.
+[[nodiscard]] inline std::uint32_t first_texel(const TexelRegion& region, const TexelPlace& place) {
+    return region.first_texel + (place.back ? region.texels_per_face() : 0);
+}
+
 /// The texel that the point lies in. Nothing where it has none.
 class OwnTexelLookup {
   public:
-    /// `texels` must outlive the lookup.
-    OwnTexelLookup(const PreparedTexels& texels, OwnTexel) : layout_(&texels.layout) {}
+    OwnTexelLookup(const PreparedTexels& texels, OwnTexel) : places_(texels.layout) {}
 
     [[nodiscard]] static std::vector<std::uint32_t> held_texels(const PreparedTexels& texels);
 
     template <class Face, class Use>
     void visit(const common::SurfacePoint& point, Face, Use use) const {
-        const TriangleTexels& triangle = layout_->triangle(point.surface.triangle);
-        if (triangle.width == 0 || (!point.front && !triangle.both_faces)) return;
-        use(texel_at(triangle, point.surface.u, point.surface.v, point.front), 1.0f);
+        const std::optional<TexelPlace> place = places_.find(point);
+        if (!place) return;
+        const TexelRegion& region = places_.region(*place);
+        use(first_texel(region, *place) + place->row(region) * region.width + place->column(region), 1.0f);
     }
 
-    [[nodiscard]] std::size_t bytes() const { return layout_->bytes(); }
+    [[nodiscard]] std::size_t bytes() const { return places_.bytes(); }
 
   private:
-    const TexelLayout* layout_;
+    TexelPlaces places_;
 };
 
 /// The four texels around the point in its mesh instance's rectangle of the lightmap, by their covered areas,
 /// without those that look another way. Where the lightmap is cut, it does not see across.
 class BilinearLookup {
   public:
-    /// `texels` must outlive the lookup.
-    BilinearLookup(const PreparedTexels& texels, Bilinear) : layout_(&texels.layout) {}
+    BilinearLookup(const PreparedTexels& texels, Bilinear) : places_(texels.layout) {}
 
     [[nodiscard]] static std::vector<std::uint32_t> held_texels(const PreparedTexels& texels) {
         return OwnTexelLookup::held_texels(texels);
@@ -59,21 +64,20 @@ class BilinearLookup {
 
     template <class Face, class Use>
     void visit(const common::SurfacePoint& point, Face face, Use use) const {
-        const TriangleTexels& triangle = layout_->triangle(point.surface.triangle);
-        if (triangle.width == 0 || (!point.front && !triangle.both_faces)) return;
-        const common::Vec2 at = triangle.corner + triangle.edge_u * point.surface.u +
-                                triangle.edge_v * point.surface.v - common::Vec2(0.5f, 0.5f);
+        const std::optional<TexelPlace> place = places_.find(point);
+        if (!place) return;
+        const TexelRegion& region = places_.region(*place);
+        const common::Vec2 at = place->at - common::Vec2(0.5f, 0.5f);
         const float left = std::floor(at.x), top = std::floor(at.y);
-        const std::uint32_t first =
-            triangle.first_texel + (point.front ? 0 : triangle.width * triangle.height);
+        const std::uint32_t first = first_texel(region, *place);
         for (int dy = 0; dy < 2; ++dy)
             for (int dx = 0; dx < 2; ++dx) {
                 const int x = static_cast<int>(left) + dx, y = static_cast<int>(top) + dy;
-                if (x < 0 || y < 0 || x >= static_cast<int>(triangle.width) ||
-                    y >= static_cast<int>(triangle.height))
+                if (x < 0 || y < 0 || x >= static_cast<int>(region.width) ||
+                    y >= static_cast<int>(region.height))
                     continue;
                 const std::uint32_t texel =
-                    first + static_cast<std::uint32_t>(y) * triangle.width + static_cast<std::uint32_t>(x);
+                    first + static_cast<std::uint32_t>(y) * region.width + static_cast<std::uint32_t>(x);
                 const float across = dx == 0 ? 1 - (at.x - left) : at.x - left;
                 const float down = dy == 0 ? 1 - (at.y - top) : at.y - top;
                 if (const TexelFace& found = face(texel); found.looks_the_way_of(point))
@@ -81,10 +85,10 @@ class BilinearLookup {
             }
     }
 
-    [[nodiscard]] std::size_t bytes() const { return layout_->bytes(); }
+    [[nodiscard]] std::size_t bytes() const { return places_.bytes(); }
 
   private:
-    const TexelLayout* layout_;
+    TexelPlaces places_;
 };
 
 /// The nearest texels in space that look the point's way, by their areas projected onto its surface, as far

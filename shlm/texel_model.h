@@ -1,4 +1,4 @@
-// What a texel keeps of its light, and how that becomes irradiance.
+// What a texel sums of its light, and the harmonics of irradiance that this becomes.
 #pragma once
 
 #include "common/estimator/irradiance_estimator.h"
@@ -14,7 +14,7 @@ struct TexelModel {
     static constexpr int order = Order;
     static constexpr ShWeight weight = Weight;
 
-    /// What a finished texel holds, per channel.
+    /// Of the finished light, per channel.
     static constexpr std::size_t harmonics = harmonic_count(Order);
 
     static constexpr bool sums_surface_irradiance = Weight == ShWeight::normalised;
@@ -56,15 +56,15 @@ struct TexelModel {
     }
 };
 
-/// Numbers of one finished texel, W/m^2: coefficients of irradiance by normal.
-template <class Model>
-using TexelLight = std::array<common::Rgb, Model::harmonics>;
+/// The light of one finished texel, W/m^2: coefficients of irradiance by normal, one for each harmonic.
+template <int Order>
+using TexelLight = std::array<common::Rgb, harmonic_count(Order)>;
 
-/// The truncated series at `normal`, W/m^2; may be negative.
-template <class Model>
-[[nodiscard]] common::Rgb evaluate_series(const TexelLight<Model>& light, const ShValues<Model::order>& y) {
+/// The truncated series for the normal that `y` was evaluated at, W/m^2; may be negative.
+template <int Order>
+[[nodiscard]] common::Rgb evaluate_series(const TexelLight<Order>& light, const ShValues<Order>& y) {
     common::Rgb sum(0, 0, 0);
-    for (std::size_t i = 0; i < Model::harmonics; ++i) sum += light[i] * y[i];
+    for (std::size_t i = 0; i < light.size(); ++i) sum += light[i] * y[i];
     return sum;
 }
 
@@ -77,18 +77,19 @@ inline constexpr float largest_surface_share = Order == 1   ? 4.0f / 3
                                                : Order == 2 ? 1.087829f
                                                             : 1.075401f;
 
-/// Turns what a texel has summed into what it holds when finished. `mean` is the sums over area and photons,
-/// W/m^2; `normal` the face's.
+/// Turns what a texel has summed into its light. `mean` is the sums over area and photons, W/m^2; `normal`
+/// the face's.
 template <class Model>
-[[nodiscard]] TexelLight<Model> finished_light(const std::array<common::Rgb, Model::summed>& mean,
-                                               const common::Vec3& normal) {
-    TexelLight<Model> light;
+[[nodiscard]] TexelLight<Model::order> finished_light(const std::array<common::Rgb, Model::summed>& mean,
+                                                      const common::Vec3& normal) {
+    TexelLight<Model::order> light;
     light.fill(common::Rgb(0, 0, 0));
     for (std::size_t i = 0; i < Model::summed_harmonics; ++i) light[i] = mean[i] * Model::finishing_factor(i);
     if constexpr (Model::sums_surface_irradiance) {
         // Here and not where texels are gathered: a ratio taken at a neighbour's face knows no bound.
         const ShValues<Model::order> y = evaluate_sh<Model::order>(normal);
-        const common::Rgb series = evaluate_series<Model>(light, y), surface = mean[Model::summed_harmonics];
+        const common::Rgb series = evaluate_series<Model::order>(light, y),
+                          surface = mean[Model::summed_harmonics];
         for (int c = 0; c < 3; ++c) {
             const float ratio =
                 series[c] > 0 ? std::min(surface[c] / series[c], largest_surface_share<Model::order>) : 0;
@@ -98,34 +99,5 @@ template <class Model>
     }
     return light;
 }
-
-/// The weighted mean of some texels' irradiance for one normal.
-template <class Model>
-class TexelMean {
-  public:
-    /// All texels are asked for the same normal: one evaluation of the harmonics serves them.
-    explicit TexelMean(const common::Vec3& shading_normal) : y_(evaluate_sh<Model::order>(shading_normal)) {}
-
-    void add(const TexelLight<Model>& light, float weight) {
-        weight_ += weight;
-        sum_ += evaluate_series<Model>(light, y_) * weight;
-    }
-
-    /// Never negative: what the truncated series takes below zero is cut off. Zero where nothing was added.
-    [[nodiscard]] common::Rgb irradiance() const {
-        common::Rgb result(0, 0, 0);
-        if (weight_ == 0) return result;
-        for (int c = 0; c < 3; ++c) result[c] = std::max(sum_[c], 0.0f) / weight_;
-        return result;
-    }
-
-    /// The same before anything is cut off.
-    [[nodiscard]] common::Rgb series() const { return weight_ == 0 ? common::Rgb(0, 0, 0) : sum_ / weight_; }
-
-  private:
-    ShValues<Model::order> y_;
-    float weight_ = 0;
-    common::Rgb sum_{0, 0, 0};
-};
 
 }  // namespace shlm

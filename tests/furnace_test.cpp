@@ -35,8 +35,8 @@ using FluxModel = shlm::TexelModel<2, shlm::ShWeight::flux>;
 
 struct Maps {
     photonmap::PhotonMap<common::FlannIndex> photons;
-    shlm::LightMap<shlm::PaperModel> radiance;
-    shlm::LightMap<FluxModel> flux;  ///< with the weight of the paper read literally
+    shlm::HarmonicMap<shlm::PaperModel> radiance;
+    shlm::HarmonicMap<FluxModel> flux;  ///< with the weight of the paper read literally
 };
 
 /// The maps of one and the same run.
@@ -111,8 +111,7 @@ TEST(Furnace, EveryTexelIsRight) {
     const double hits_per_texel = static_cast<double>(hit_count) / 2400;
     const double bound = z_for(1e-5 / 2400) * std::sqrt(10.0 / hits_per_texel);
     for (const auto& texel : maps().radiance.texels()) {
-        const Rgb irradiance =
-            shlm::evaluate_series<shlm::PaperModel>(texel.light, shlm::evaluate_sh<2>(texel.face.normal));
+        const Rgb irradiance = texel.irradiance(texel.face.normal);
         ASSERT_NEAR(irradiance.x / (2 * pi), 1, bound) << "seed " << seed;
     }
 }

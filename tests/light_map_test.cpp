@@ -10,7 +10,7 @@ namespace {
 
 using namespace tests;
 using common::HitBatch;
-using LightMap = shlm::LightMap<shlm::PaperModel>;
+using LightMap = shlm::HarmonicMap<shlm::PaperModel>;
 using Accumulator = shlm::Accumulator<shlm::PaperModel>;
 using Sink = shlm::Sink<shlm::PaperModel>;
 using shlm::NearestTexels;
@@ -49,16 +49,11 @@ HitBatch collimated_light(const Vec3& towards_light) {
 }
 
 template <class Model = shlm::PaperModel>
-shlm::LightMap<Model> map_of(const PreparedTexels& texels, const HitBatch& hits,
-                             const shlm::Gather& gather = NearestTexels{}) {
+shlm::HarmonicMap<Model> map_of(const PreparedTexels& texels, const HitBatch& hits,
+                                const shlm::Gather& gather = NearestTexels{}) {
     shlm::Sink<Model> sink(texels, gather, quantum_for(hits), 0);
     sink.consume(std::span(&hits, 1));
     return sink.finish(1);
-}
-
-/// One texel's own answer, not cut off at zero.
-Rgb series_at(const shlm::Texel<shlm::PaperModel>& texel, const Vec3& normal) {
-    return shlm::evaluate_series<shlm::PaperModel>(texel.light, shlm::evaluate_sh<2>(normal));
 }
 
 double kernel(double x) {
@@ -96,7 +91,7 @@ TEST(LightMap, OneTracedLightGivesTheTruncatedKernel) {
     Sample irradiance;
     common::SurfacePoint point = front_of(scene, on_quad(0, 0.5f, 0.5f));
     point.shading_normal = direction_in_xz(-10 * degrees);
-    for (const auto& texel : map.texels()) irradiance.add(series_at(texel, point.shading_normal).y);
+    for (const auto& texel : map.texels()) irradiance.add(texel.irradiance(point.shading_normal).y);
     // All photons carry the same flux in the same direction: the mean over the texels has the noise of their
     // number.
     const double expected = 3 * kernel(std::cos(50 * degrees));
@@ -121,7 +116,7 @@ TEST(LightMap, CutsOffWhatTheSeriesTakesBelowZero) {
     common::SurfacePoint point = front_of(scene, on_quad(0, 0.3f, 0.6f));
     point.shading_normal = direction_in_xz(std::acos(-8.0 / 15));
     EXPECT_EQ(map.irradiance(point), Rgb(0, 0, 0));
-    EXPECT_NEAR(series_at(map.texels()[0], point.shading_normal).x, kernel(-8.0 / 15), 1e-5);
+    EXPECT_NEAR(map.texels()[0].irradiance(point.shading_normal).x, kernel(-8.0 / 15), 1e-5);
     EXPECT_LT(kernel(-8.0 / 15), -0.039);
 }
 

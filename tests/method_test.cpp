@@ -34,8 +34,10 @@ TEST(MethodName, TakesDefaultsForWhatIsLeftOut) {
 TEST(MethodName, StaysAsItIsWhereItIsFull) {
     for (const char* name :
          {"shlm/L0/normalised/own", "shlm/L4/radiance/bilinear", "shlm/L2/radiance/knn8/t65536",
-          "shlm/L2/radiance/own/h0", "shlm/L2/radiance/bilinear/t64/h28",
-          "shlm/L2/radiance/knn4/face", "shlm/L2/radiance/knn4/uv/t64/h0", "photonmap/flann/k200/cone",
+          "shlm/L2/radiance/own/h0", "shlm/L2/radiance/bilinear/t64/h28", "shlm/L2/radiance/knn4/face",
+          "shlm/L2/radiance/knn4/uv/t64/h0", "shlm/H4/radiance/own", "shlm/YL2/radiance/own/half",
+          "shlm/a2.5/normalised/own/face/t64", "shlm/a2/normalised/bilinear",
+          "shlm/L0/normalised/own/uv/t64/h0/half", "photonmap/flann/k200/cone",
           "photonmap/flann/k0.05n23/epanechnikov", "photonmap/flann/r0.003/disc",
           "photonmap/nanoflann/k0.05n23/cone", "photonmap/compact/k50/cone", "photonmap/grid/r0.01/cone"})
         EXPECT_EQ(full_name(name), name);
@@ -44,7 +46,7 @@ TEST(MethodName, StaysAsItIsWhereItIsFull) {
 TEST(MethodName, SaysWhatAMethodIs) {
     const bench::Method light_map = bench::parse_method("", "shlm/L1/normalised/knn8/t4096");
     ASSERT_NE(light_map.light_map(), nullptr);
-    EXPECT_EQ(light_map.light_map()->order, 1);
+    EXPECT_EQ(light_map.light_map()->basis, bench::LightBasis::L1);
     EXPECT_EQ(light_map.light_map()->weight, shlm::ShWeight::normalised);
     EXPECT_EQ(std::get<shlm::NearestTexels>(light_map.light_map()->gather).count, 8u);
     EXPECT_EQ(light_map.light_map()->texels, 4096u);
@@ -89,7 +91,12 @@ TEST(MethodName, EveryComplaintNamesTheOptionAndTheChoices) {
              {"shlm/L2/radiance/own/t0", {"'t0'"}},
              {"shlm/L2/radiance/own/t64/", {"''", "h0"}},
              {"shlm/L2/radiance/own/h-1", {"'h-1'", "h0"}},
-             {"shlm/L2/radiance/own/h50/t64", {"'t64'", "expected after a whole name"}},
+             {"shlm/L2/radiance/own/h50/t64", {"'t64'", "in this order"}},
+             {"shlm/H4/flux", {"'flux'", "radiance, the only weight that H4 has"}},
+             {"shlm/a0", {"'a0'", "L2"}},
+             {"shlm/a2/radiance", {"'radiance'", "normalised"}},
+             {"shlm/a2/normalised/knn4", {"'knn4'", "bilinear or own"}},
+             {"shlm/a2/normalised/own/h5", {"'h5'", "t65536"}},
              {"photonmap/oak", {"'oak'", "flann", "flann-incremental", "compact"}},
              {"photonmap/flann/k1", {"'k1'", "one photon has no density"}},
              {"photonmap/flann/k2.5", {"'k2.5'"}},

@@ -99,7 +99,7 @@ TEST(TexelBlocks, NoLightIsLostOrMade) {
             const auto map =
                 bench::light_map_of<bench::HarmonicModel<2>>(texels, hits, OwnTexel{}, least_hits);
             double light = 0;
-            for (const auto& texel : map.texels()) light += texel.light[0].x * texel.face.area;
+            for (const auto& texel : map.texels()) light += texel.stored[0] * texel.face.area;
             return light;
         };
         EXPECT_GT(light_shown(0), 0);

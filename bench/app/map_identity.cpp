@@ -24,7 +24,7 @@ const char* name_of(shlm::ShWeight weight) {
 shlm::MapIdentity map_identity(const ShlmMethod& method, PreparedMethods& prepared,
                                const common::PhotonSource& source, std::uint64_t seed) {
     return {.scene = common::fingerprint(prepared.scene()),
-            .model = fmt::format("L{}/{}", method.order, name_of(method.weight)),
+            .model = fmt::format("L{}/{}", summed_order(method.basis), name_of(method.weight)),
             .texels_wanted = describe(PreparedMethods::texel_choice(method, prepared.settings())),
             .texels = prepared.texels_of(method).layout.texel_count(),
             .numbers = with_model(method, [](auto model) { return decltype(model)::summed; }),

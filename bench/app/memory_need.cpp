@@ -22,7 +22,7 @@ double texel_bytes(const ShlmMethod& method) {
     return with_model(method, [](auto model) {
         using Model = decltype(model);
         return static_cast<double>(shlm::TexelSums<Model>::bytes_per_texel() + sizeof(shlm::TexelGeometry) +
-                                   sizeof(shlm::Texel<Model>) + 2 * sizeof(common::Vec3)) +
+                                   sizeof(shlm::Texel<shlm::Harmonics<Model::order>>) + 2 * sizeof(common::Vec3)) +
                flann_bytes;
     });
 }

@@ -28,6 +28,9 @@ class NameParts {
         }
     }
 
+    /// The next part without taking it; empty at the end of the name.
+    [[nodiscard]] std::string peek() const { return next_ < parts_.size() ? parts_[next_] : ""; }
+
     /// The next part, or `otherwise` at the end of the name.
     std::string take(const std::string& otherwise) {
         return next_ < parts_.size() ? parts_[next_++] : otherwise;
@@ -80,7 +83,15 @@ std::optional<std::size_t> count_between(std::string_view prefix, std::string_vi
     return static_cast<std::size_t>(*value);
 }
 
-constexpr std::array<std::pair<const char*, int>, 4> orders = {{{"L2", 2}, {"L0", 0}, {"L1", 1}, {"L4", 4}}};
+constexpr std::array<std::pair<const char*, LightBasis>, 9> bases = {{{"L2", LightBasis::L2},
+                                                                      {"L0", LightBasis::L0},
+                                                                      {"L1", LightBasis::L1},
+                                                                      {"L4", LightBasis::L4},
+                                                                      {"H4", LightBasis::H4},
+                                                                      {"H6", LightBasis::H6},
+                                                                      {"YH4", LightBasis::YH4},
+                                                                      {"YL2", LightBasis::YL2},
+                                                                      {"AD", LightBasis::AD}}};
 constexpr std::array<std::pair<const char*, shlm::ShWeight>, 3> weights = {
     {{"radiance", shlm::ShWeight::radiance},
      {"flux", shlm::ShWeight::flux},
@@ -112,24 +123,45 @@ shlm::Gather take_gather(NameParts& parts) {
     parts.complain(part, fmt::format("own, bilinear, or knnK with K from 1 to {}", most_neighbours));
 }
 
-/// What may follow a light map's gather: uv or face, tTEXELS, hHITS, any of them in this order.
+/// What may follow a light map's gather: uv or face, then tTEXELS.
 void take_texels(NameParts& parts, ShlmMethod& method) {
-    if (parts.at_end()) return;
-    std::string part = parts.take("");
-    if (part == "uv" || part == "face") {
+    if (const std::string part = parts.peek(); part == "uv" || part == "face") {
         method.placement = part == "uv" ? shlm::TexelPlacement::uv : shlm::TexelPlacement::face;
-        if (parts.at_end()) return;
-        part = parts.take("");
+        (void)parts.take("");
     }
-    if (const auto texels = count_between("t", part, 1, most_texels)) {
+    if (const auto texels = count_between("t", parts.peek(), 1, most_texels)) {
         method.texels = *texels;
-        if (parts.at_end()) return;
-        part = parts.take("");
+        (void)parts.take("");
     }
-    const auto hits = count_between("h", part, 0, most_hits);
-    if (!hits)
-        parts.complain(part, "uv, face, a number of texels such as t65536, or of hits to a block such as h0");
-    method.least_hits = *hits;
+}
+
+/// What may follow that: hHITS, then half.
+void take_finish(NameParts& parts, ShlmMethod& method) {
+    if (const auto hits = count_between("h", parts.peek(), 0, most_hits)) {
+        method.least_hits = *hits;
+        (void)parts.take("");
+    }
+    if (parts.peek() == "half") {
+        method.in_halves = true;
+        (void)parts.take("");
+    }
+    if (!parts.at_end())
+        parts.complain(parts.peek(),
+                       "uv, face, a number of texels such as t65536, of hits to a block such as "
+                       "h0, or half, in this order");
+}
+
+bool is_harmonics(LightBasis basis) {
+    return basis == LightBasis::L0 || basis == LightBasis::L1 || basis == LightBasis::L2 ||
+           basis == LightBasis::L4;
+}
+
+shlm::ShWeight take_weight(NameParts& parts, LightBasis basis) {
+    const shlm::ShWeight weight = parts.take_one_of(weights);
+    if (weight != shlm::ShWeight::radiance && !is_harmonics(basis))
+        parts.complain(name_of(weights, weight),
+                       fmt::format("radiance, the only weight that {} has", name_of(bases, basis)));
+    return weight;
 }
 
 std::string name_of(const shlm::Gather& gather) {
@@ -139,20 +171,46 @@ std::string name_of(const shlm::Gather& gather) {
 }
 
 std::string name_of(const ShlmMethod& method) {
-    std::string name = fmt::format("shlm/{}/{}/{}", name_of(orders, method.order),
-                                   name_of(weights, method.weight), name_of(method.gather));
+    const std::string basis = method.basis == LightBasis::adaptive
+                                  ? fmt::format("a{}", method.wanted_error_percent)
+                                  : name_of(bases, method.basis);
+    std::string name =
+        fmt::format("shlm/{}/{}/{}", basis, name_of(weights, method.weight), name_of(method.gather));
     if (method.placement) name += "/" + bench::name_of(*method.placement);
     if (method.texels > 0) name += fmt::format("/t{}", method.texels);
     if (method.least_hits != shlm::default_least_hits) name += fmt::format("/h{}", method.least_hits);
+    if (method.in_halves) name += "/half";
     return name;
+}
+
+ShlmMethod take_adaptive(NameParts& parts, double wanted_error_percent) {
+    ShlmMethod method{.basis = LightBasis::adaptive,
+                      .wanted_error_percent = wanted_error_percent,
+                      .weight = shlm::ShWeight::normalised,
+                      .gather = shlm::Bilinear{}};
+    (void)parts.take("");
+    if (const std::string weight = parts.take("normalised"); weight != "normalised")
+        parts.complain(weight, "normalised, the only weight of an adaptive map");
+    const std::string gather = parts.take("bilinear");
+    if (gather == "own")
+        method.gather = shlm::OwnTexel{};
+    else if (gather != "bilinear")
+        parts.complain(gather, "bilinear or own: an adaptive map has no index of its texels");
+    take_texels(parts, method);
+    if (!parts.at_end())
+        parts.complain(parts.peek(), "uv, face, or a number of texels such as t65536, in this order");
+    return method;
 }
 
 ShlmMethod take_shlm(NameParts& parts) {
     ShlmMethod method;
-    method.order = parts.take_one_of(orders);
-    method.weight = parts.take_one_of(weights);
+    if (const auto percent = number_between("a", parts.peek(), ""); percent && *percent > 0)
+        return take_adaptive(parts, *percent);
+    method.basis = parts.take_one_of(bases);
+    method.weight = take_weight(parts, method.basis);
     method.gather = take_gather(parts);
     take_texels(parts, method);
+    take_finish(parts, method);
     return method;
 }
 

@@ -13,18 +13,39 @@
 
 namespace bench {
 
-/// shlm / L0 L1 L2 L4 / radiance flux normalised / own bilinear knnK [/ uv face] [/ tTEXELS] [/ hHITS]
+/// What a finished texel keeps: a file each in shlm/.
+enum class LightBasis { L0, L1, L2, L4, H4, H6, YH4, YL2, AD, adaptive };
+
+/// Of the harmonics that hits are summed in for it.
+[[nodiscard]] constexpr int summed_order(LightBasis basis) {
+    switch (basis) {
+        case LightBasis::L0:
+            return 0;
+        case LightBasis::L1:
+        case LightBasis::AD:
+            return 1;
+        case LightBasis::L4:
+            return 4;
+        default:
+            return 2;
+    }
+}
+
+/// shlm / BASIS / radiance flux normalised / own bilinear knnK [/ uv face] [/ tTEXELS] [/ hHITS] [/ half]
+/// shlm / aPERCENT / normalised / own bilinear [/ uv face] [/ tTEXELS], adaptive
 struct ShlmMethod {
-    int order = 2;
+    LightBasis basis = LightBasis::L2;
+    double wanted_error_percent = 0;  ///< of an adaptive map (shlm::AdaptiveMap)
     shlm::ShWeight weight = shlm::ShWeight::radiance;
     shlm::Gather gather = shlm::NearestTexels{};
     std::optional<shlm::TexelPlacement> placement;  ///< none: as --texels says
     std::size_t texels = 0;                         ///< 0: as many as --texels says
     std::uint64_t least_hits = shlm::default_least_hits;
+    bool in_halves = false;  ///< the finished map stores halves in place of floats
 
-    /// Whether both sum the same numbers of the same hits, and differ only in how the map is asked.
+    /// Whether both sum the same numbers of the same hits, and differ only in what is made of them.
     [[nodiscard]] bool fills_as(const ShlmMethod& other) const {
-        return order == other.order && weight == other.weight && placement == other.placement &&
+        return summed_order(basis) == summed_order(other.basis) && weight == other.weight && placement == other.placement &&
                texels == other.texels;
     }
 };

@@ -70,7 +70,7 @@ auto with_weight(shlm::ShWeight weight, Work work) {
 /// Calls `work` with an object of the method's texel model.
 template <class Work>
 auto with_model(const ShlmMethod& method, Work work) {
-    switch (method.order) {
+    switch (summed_order(method.basis)) {
         case 0:
             return with_weight<0>(method.weight, work);
         case 1:

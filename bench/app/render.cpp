@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "bench/app/ending.h"
+#include "bench/app/finished_map.h"
 #include "bench/app/image_output.h"
 #include "bench/app/map_identity.h"
 #include "bench/app/memory_need.h"
@@ -91,7 +92,7 @@ Rendering trace_and_gather(const RenderPlan& plan, const LoadedScene& loaded,
             });
         stop_if_interrupted();
         const common::RejectedHits rejected = sink.rejected();
-        const auto map = common::finish_map(std::move(sink), trace);
+        const auto map = finished_map(plan.method, std::move(sink), trace);
         stop_if_interrupted();
         return Rendering{common::render(pixels, options.width, options.height, map), trace, rejected};
     });
@@ -112,7 +113,7 @@ Rendering gather_from_file(const RenderPlan& plan, const LoadedScene& loaded,
             shlm::read_checkpoint(options.map, identity, shlm::TexelAtlas(texels.layout), sink.accumulator())
                 .report();
         stop_if_interrupted();
-        const auto map = common::finish_map(sink, trace);
+        const auto map = finished_map(*light_map, sink, trace);
         return Rendering{common::render(pixels, options.width, options.height, map), trace, sink.rejected()};
     });
 }

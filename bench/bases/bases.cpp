@@ -36,7 +36,7 @@ std::vector<BasisFigures> measure(std::size_t count, std::uint64_t seed) {
     };
     std::vector<BasisFigures> all;
     for (const LightKind kind : light_kinds) {
-        const auto figures = measure_bases(kind, count, seed, go_on);
+        const auto figures = measure_bases(all_bases(), kind, count, seed, go_on);
         if (!figures)
             throw Interrupted("bases stopped: nothing is written, a part of the environments is no table");
         all.insert(all.end(), figures->begin(), figures->end());

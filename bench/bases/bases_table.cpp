@@ -31,8 +31,8 @@ Json row_of(const BasisFigures& figures) {
     const bool has_worst = expected && expected->worst;
     return {{"light", name_of(figures.light)},
             {"basis", figures.basis.name},
-            {"stored_per_channel", figures.basis.numbers},
-            {"bytes_per_texel", figures.basis.bytes()},
+            {"numbers_per_texel", figures.basis.numbers},
+            {"bytes_per_texel", figures.basis.bytes},
             {"environments", figures.environments},
             {"mean", figures.series.mean},
             {"worst", figures.series.worst},
@@ -94,12 +94,12 @@ Json bases_as_json(std::span<const BasisFigures> figures, const TiltCurve& tilt,
 }
 
 std::string bases_as_text(std::span<const BasisFigures> figures) {
-    std::string text = fmt::format("{:<20} {:<14} {:>6} {:>16} {:>16} {:>16} {:>11}\n", "light", "basis",
+    std::string text = fmt::format("{:<20} {:<18} {:>6} {:>16} {:>16} {:>16} {:>11}\n", "light", "basis",
                                    "bytes", "error %", "answered %", "expected %", "own normal");
     for (const BasisFigures& one : figures)
         text +=
-            fmt::format("{:<20} {:<14} {:>6} {:>16} {:>16} {:>16} {:>11.4f}\n", name_of(one.light),
-                        one.basis.name, one.basis.bytes(), errors_text(one.series, one.environments),
+            fmt::format("{:<20} {:<18} {:>6} {:>16} {:>16} {:>16} {:>11.4f}\n", name_of(one.light),
+                        one.basis.name, one.basis.bytes, errors_text(one.series, one.environments),
                         errors_text(one.answered, one.environments), expected_text(one), one.at_own_normal);
     return text;
 }
@@ -110,14 +110,14 @@ std::string bases_as_markdown(std::span<const BasisFigures> figures, std::uint64
         text += fmt::format("- {}: {}\n", name_of(kind), description_of(kind));
     text += fmt::format(
         "\nSeed {}. Errors are mean / worst.\n\n"
-        "| light | basis | numbers per channel | bytes per texel | environments | error % | answered % | "
+        "| light | basis | numbers per texel | bytes per texel | environments | error % | answered % | "
         "expected % | "
         "at own normal |\n|---|---|---|---|---|---|---|---|---|\n",
         seed);
     for (const BasisFigures& one : figures)
         text += fmt::format(
             "| {} | {} | {} | {} | {} | {} | {} | {} | {:.4f} |\n", name_of(one.light), one.basis.name,
-            one.basis.numbers, one.basis.bytes(), one.environments, errors_text(one.series, one.environments),
+            one.basis.numbers, one.basis.bytes, one.environments, errors_text(one.series, one.environments),
             errors_text(one.answered, one.environments), expected_text(one), one.at_own_normal);
     return text + "\n![](charts/bases.png)\n\n![](charts/bases-tilt.png)\n";
 }

@@ -1,21 +1,43 @@
 #include "bench/bases/basis.h"
 
+#include "shlm/ambient_and_direction.h"
+#include "shlm/hemisphere_six.h"
+#include "shlm/luminance_four.h"
+#include "shlm/luminance_nine.h"
+
 namespace bench {
 namespace {
 
-template <int Order, shlm::ShWeight Weight>
+using enum shlm::ShWeight;
+
+template <class Kept, shlm::ShWeight Weight = radiance, class Number = float>
 Basis basis(const std::string& name) {
-    using Model = shlm::TexelModel<Order, Weight>;
-    return {name, Model::harmonics, &ask<Model>};
+    using Model = shlm::TexelModel<Kept::order, Weight>;
+    constexpr std::size_t numbers = shlm::number_count<Kept>;
+    return {name, numbers, numbers * sizeof(Number), &ask<Model, Kept, Number>};
+}
+
+template <class Number>
+std::vector<Basis> ladder(const std::string& suffix) {
+    return {basis<shlm::Harmonics<0>, normalised, Number>("L0/normalised" + suffix),
+            basis<shlm::AmbientAndDirection, radiance, Number>("AD/radiance" + suffix),
+            basis<shlm::LuminanceFour, radiance, Number>("YH4/radiance" + suffix),
+            basis<shlm::LuminanceNine, radiance, Number>("YL2/radiance" + suffix),
+            basis<shlm::Harmonics<1>, radiance, Number>("L1/radiance" + suffix),
+            basis<shlm::HemisphereFour, radiance, Number>("H4/radiance" + suffix),
+            basis<shlm::HemisphereSix, radiance, Number>("H6/radiance" + suffix),
+            basis<shlm::Harmonics<2>, radiance, Number>("L2/radiance" + suffix),
+            basis<shlm::Harmonics<4>, radiance, Number>("L4/radiance" + suffix)};
 }
 
 }  // namespace
 
 std::vector<Basis> all_bases() {
-    using enum shlm::ShWeight;
-    return {basis<0, normalised>("L0/normalised"), basis<1, radiance>("L1/radiance"),
-            basis<2, radiance>("L2/radiance"),     basis<4, radiance>("L4/radiance"),
-            basis<2, normalised>("L2/normalised"), basis<2, flux>("L2/flux")};
+    std::vector<Basis> bases = ladder<float>("");
+    bases.push_back(basis<shlm::Harmonics<2>, normalised>("L2/normalised"));
+    bases.push_back(basis<shlm::Harmonics<2>, flux>("L2/flux"));
+    for (Basis& in_halves : ladder<shlm::half>("/half")) bases.push_back(std::move(in_halves));
+    return bases;
 }
 
 }  // namespace bench

@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// Irradiance by shading normal, W/m^2.
+/// Irradiance by shading normal, W/m^2, of the red channel.
 struct BasisAnswers {
     std::vector<double> series;    ///< what the basis says, which may be below zero
     std::vector<double> answered;  ///< what the light map answers: that, cut off at zero
@@ -22,34 +22,32 @@ struct BasisAnswers {
     return shlm::Quantum(brightest);
 }
 
-/// Fills a light map of one texel with the photons and asks it for every normal.
-template <class Model>
+/// Fills a light map of one texel with the photons, keeps of it what the basis keeps, and asks that for every
+/// normal.
+template <class Model, shlm::Basis Kept = shlm::Harmonics<Model::order>, class Number = float>
 [[nodiscard]] BasisAnswers ask(const OneTexel& texel, const common::HitBatch& photons,
                                std::span<const common::Vec3> normals) {
-    shlm::Sink<Model> sink(texel.prepared(), shlm::OwnTexel{}, quantum_for(photons));
+    const shlm::OwnTexel own;
+    shlm::Sink<Model> sink(texel.prepared(), own, quantum_for(photons));
     sink.consume(std::span(&photons, 1));
-    const shlm::LightMap<Model> map = sink.finish(1);
+    const auto map = sink.template finish<Kept, Number>(1, own, 0);
     BasisAnswers answers;
     for (const common::Vec3& normal : normals) {
-        const common::SurfacePoint point = texel.point_with(normal);
-        shlm::TexelMean<Model> mean(point.shading_normal);
-        mean.add(map.texels().front().light, 1);
-        answers.series.push_back(mean.series().x);
-        answers.answered.push_back(map.irradiance(point).x);
+        answers.series.push_back(map.texels().front().irradiance(normal).x * map.unit());
+        answers.answered.push_back(map.irradiance(texel.point_with(normal)).x);
     }
     return answers;
 }
 
 struct Basis {
-    std::string name;     ///< order and weight, as in the names of the methods
-    std::size_t numbers;  ///< per channel and texel
+    std::string name;     ///< as in the names of the methods: basis, weight, and half where it stores halves
+    std::size_t numbers;  ///< per texel
+    std::size_t bytes;    ///< per texel
     BasisAnswers (*ask)(const OneTexel&, const common::HitBatch&, std::span<const common::Vec3>);
-
-    /// One texel as it would be stored: floats, three channels.
-    [[nodiscard]] std::size_t bytes() const { return numbers * 3 * sizeof(float); }
 };
 
-/// What a traditional light map keeps, then orders 1, 2 and 4, then order 2 with the other weights.
+/// What a traditional light map keeps, then the ladder of bases upwards, then order 2 with the other weights;
+/// behind them the same but for those weights in halves.
 [[nodiscard]] std::vector<Basis> all_bases();
 
 }  // namespace bench

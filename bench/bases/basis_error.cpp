@@ -18,7 +18,7 @@ std::vector<double> true_irradiance(std::span<const Arrival> arrivals,
     for (const common::Vec3& normal : normals) {
         double sum = 0;
         for (const Arrival& arrival : arrivals)
-            sum += std::max(0.0f, normal.dot(arrival.towards_light)) * arrival.irradiance /
+            sum += std::max(0.0f, normal.dot(arrival.towards_light)) * arrival.irradiance * arrival.tint.x /
                    arrival.towards_light.z;
         irradiance.push_back(sum);
     }

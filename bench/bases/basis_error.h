@@ -12,7 +12,8 @@ namespace bench {
 [[nodiscard]] std::vector<common::Vec3> tilted_normals();
 
 /// Irradiance of each normal, W/m^2, summed over the arrivals: E / cos(theta) is what a plane that faces the
-/// light gets, max(0, n.w) of that is the normal's.
+/// light gets, max(0, n.w) of that is the normal's. Of the red channel: colours are random, so that all
+/// channels are alike over many environments.
 [[nodiscard]] std::vector<double> true_irradiance(std::span<const Arrival> arrivals,
                                                   std::span<const common::Vec3> normals);
 

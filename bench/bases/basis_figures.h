@@ -25,7 +25,8 @@ struct BasisFigures {
 
 /// Goes through `count` environments of the kind (one, where none differ). `go_on` is asked before each;
 /// nothing comes back where it says no.
-[[nodiscard]] std::optional<std::vector<BasisFigures>> measure_bases(LightKind kind, std::size_t count,
+[[nodiscard]] std::optional<std::vector<BasisFigures>> measure_bases(std::span<const Basis> bases,
+                                                                     LightKind kind, std::size_t count,
                                                                      std::uint64_t seed,
                                                                      const std::function<bool()>& go_on);
 

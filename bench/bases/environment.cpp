@@ -50,6 +50,7 @@ struct Lobe {
     Vec3 axis;        ///< unit
     double radiance;  ///< along the axis, W/(m^2 sr)
     double exponent;  ///< of the cosine to the axis
+    common::Rgb tint{1, 1, 1};
 };
 
 Lobe random_lobe(RandomStream& random) {
@@ -58,17 +59,36 @@ Lobe random_lobe(RandomStream& random) {
     return {direction(z, turn), radiance, 2 * std::pow(16.0, random.next())};
 }
 
-Environment room(RandomStream& random) {
+double radiance_of(const Lobe& lobe, const Vec3& towards_light) {
+    return lobe.radiance *
+           std::pow(std::max(0.0, static_cast<double>(towards_light.dot(lobe.axis))), lobe.exponent);
+}
+
+/// From grey to nearly one channel alone.
+common::Rgb random_tint(RandomStream& random) {
+    const double r = random.next(), g = random.next(), b = random.next();
+    return common::Rgb(static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)) *
+           static_cast<float>(3 / (r + g + b));
+}
+
+Environment room(RandomStream& random, bool coloured) {
     std::array<Lobe, lobes> parts;
     for (Lobe& lobe : parts) lobe = random_lobe(random);
-    return soft_light([&](const Vec3& towards_light) {
+    if (coloured)
+        for (Lobe& lobe : parts) lobe.tint = random_tint(random);
+    const auto all_radiance = [&](const Vec3& towards_light) {
         double radiance = floor_radiance;
-        for (const Lobe& lobe : parts)
-            radiance +=
-                lobe.radiance *
-                std::pow(std::max(0.0, static_cast<double>(towards_light.dot(lobe.axis))), lobe.exponent);
+        for (const Lobe& lobe : parts) radiance += radiance_of(lobe, towards_light);
         return radiance;
-    });
+    };
+    Environment environment = soft_light(all_radiance);
+    for (Arrival& arrival : environment) {
+        common::Rgb light = common::Rgb(1, 1, 1) * static_cast<float>(floor_radiance);
+        for (const Lobe& lobe : parts)
+            light += lobe.tint * static_cast<float>(radiance_of(lobe, arrival.towards_light));
+        arrival.tint = light / common::mean_component(light);
+    }
+    return environment;
 }
 
 }  // namespace
@@ -81,6 +101,8 @@ std::string name_of(LightKind kind) {
             return "mixed room";
         case LightKind::uniform:
             return "uniform hemisphere";
+        case LightKind::coloured_room:
+            return "coloured room";
     }
     return "";
 }
@@ -97,6 +119,9 @@ std::string description_of(LightKind kind) {
                    "hemisphere, a uniform from 0 to 1, s log-uniform from 2 to 32";
         case LightKind::uniform:
             return "constant radiance";
+        case LightKind::coloured_room:
+            return "as mixed room; each lobe has a colour, three channels uniform from 0 to 1, divided by "
+                   "their mean";
     }
     return "";
 }
@@ -111,7 +136,9 @@ Environment make_environment(LightKind kind, std::uint32_t index, std::size_t co
         case LightKind::point:
             return point_light(random, index, count);
         case LightKind::room:
-            return room(random);
+            return room(random, false);
+        case LightKind::coloured_room:
+            return room(random, true);
         case LightKind::uniform:
             return soft_light([](const Vec3&) { return 1.0; });
     }

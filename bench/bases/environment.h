@@ -10,21 +10,24 @@
 
 namespace bench {
 
-/// Light from one direction, as much as one photon brings. The same in all channels.
+/// Light from one direction, as much as one photon brings.
 struct Arrival {
     common::Vec3 towards_light;  ///< unit, z > 0
-    double irradiance;           ///< on the surface, W/m^2: includes the cosine
+    double irradiance;           ///< on the surface, W/m^2, mean of the channels: includes the cosine
+    common::Rgb tint{1, 1, 1};   ///< each channel's share, of mean 1
 };
 
 using Environment = std::vector<Arrival>;
 
 enum class LightKind {
-    point,   ///< one distant light
-    room,    ///< six lobes over a dim floor: lamps, windows, lit walls
-    uniform  ///< constant radiance
+    point,          ///< one distant light
+    room,           ///< six lobes over a dim floor: lamps, windows, lit walls
+    uniform,        ///< constant radiance
+    coloured_room,  ///< as room, each lobe in a colour of its own
 };
 
-inline constexpr std::array light_kinds = {LightKind::point, LightKind::room, LightKind::uniform};
+inline constexpr std::array light_kinds = {LightKind::point, LightKind::room, LightKind::coloured_room,
+                                           LightKind::uniform};
 
 [[nodiscard]] std::string name_of(LightKind kind);
 

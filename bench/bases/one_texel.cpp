@@ -38,7 +38,7 @@ common::HitBatch OneTexel::photons_of(std::span<const Arrival> arrivals) const {
     photons.reserve(arrivals.size());
     for (const Arrival& arrival : arrivals) {
         const auto flux = static_cast<float>(arrival.irradiance * area);
-        photons.push_back(position, -arrival.towards_light, common::Rgb(flux, flux, flux), middle);
+        photons.push_back(position, -arrival.towards_light, arrival.tint * flux, middle);
     }
     return photons;
 }

@@ -4,6 +4,7 @@
 
 #include <new>
 
+#include "bench/app/finished_map.h"
 #include "common/core/memory_use.h"
 #include "common/core/stopwatch.h"
 #include "common/tracer/null_sink.h"
@@ -32,8 +33,21 @@ std::string past_its_bound(const Workload& w, std::uint64_t hits) {
                        static_cast<double>(w.max_bytes) * 0x1p-30, static_cast<double>(hits));
 }
 
+/// Asks the finished map for all queries, in both orders.
+template <common::IrradianceEstimator Map>
+void measure_gather(const Map& map, const Workload& w, Measurement& m) {
+    const common::Stopwatch gather;
+    const double sum = gather_all(map, w.queries.image_order);
+    m.gather_seconds = gather.seconds();
+    const common::Stopwatch gather_shuffled;
+    const double shuffled_sum = gather_all(map, w.queries.shuffled);
+    m.gather_shuffled_seconds = gather_shuffled.seconds();
+    m.mean_irradiance = (sum + shuffled_sum) / (6.0 * static_cast<double>(w.queries.image_order.size()));
+    m.peak_resident_bytes = common::peak_resident_bytes();
+}
+
 template <class Sink>
-void measure(Sink sink, const Workload& w, Measurement& m) {
+void measure(const Method& method, Sink sink, const Workload& w, Measurement& m) {
     const auto too_large = [&] {
         const std::size_t now = common::resident_bytes();
         return now > m.resident_before_bytes && now - m.resident_before_bytes > w.max_bytes;
@@ -49,7 +63,7 @@ void measure(Sink sink, const Workload& w, Measurement& m) {
     m.insert_bytes = sink.bytes();
 
     const common::Stopwatch build;
-    const auto map = common::finish_map(std::move(sink), m.trace);
+    const auto map = finished_map(method, std::move(sink), m.trace);
     m.build_seconds = build.seconds();
     m.bytes = map.bytes();
     if (too_large()) {
@@ -57,15 +71,7 @@ void measure(Sink sink, const Workload& w, Measurement& m) {
         m.trace.interrupted = true;
         return;
     }
-
-    const common::Stopwatch gather;
-    const double sum = gather_all(map, w.queries.image_order);
-    m.gather_seconds = gather.seconds();
-    const common::Stopwatch gather_shuffled;
-    const double shuffled_sum = gather_all(map, w.queries.shuffled);
-    m.gather_shuffled_seconds = gather_shuffled.seconds();
-    m.mean_irradiance = (sum + shuffled_sum) / (6.0 * static_cast<double>(w.queries.image_order.size()));
-    m.peak_resident_bytes = common::peak_resident_bytes();
+    measure_gather(map, w, m);
 }
 
 }  // namespace
@@ -79,7 +85,7 @@ Measurement measure_method(const Method& method, PreparedMethods& prepared, cons
         const common::Stopwatch making_room;
         with_sink(method, prepared, workload.source, [&](auto sink) {
             m.making_room_seconds = making_room.seconds();
-            measure(std::move(sink), workload, m);
+            measure(method, std::move(sink), workload, m);
         });
     } catch (const std::bad_alloc&) {
         m.given_up = "found no more memory";
@@ -98,7 +104,7 @@ common::Image render_method(const Method& method, PreparedMethods& prepared, con
     return with_sink(method, prepared, workload.source, [&](auto sink) {
         const common::TraceReport trace = trace_into(sink, workload);
         if (trace.interrupted) return common::Image{};
-        return common::render(pixels, width, height, common::finish_map(std::move(sink), trace));
+        return common::render(pixels, width, height, finished_map(method, std::move(sink), trace));
     });
 }
 

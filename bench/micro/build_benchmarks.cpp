@@ -48,7 +48,7 @@ void build_light_map(benchmark::State& state, SharedInputs& inputs, std::size_t 
     shlm::Accumulator<shlm::PaperModel> accumulator(prepared.layout, inputs.quantum());
     replay(recording, accumulator);
     for (auto _ : state) {
-        const shlm::LightMap<shlm::PaperModel> map(accumulator.sums(), prepared,
+        const shlm::HarmonicMap<shlm::PaperModel> map(accumulator.sums(), prepared,
                                                    recording.report.watts_per_flux(), shlm::NearestTexels{},
                                                    shlm::default_least_hits);
         benchmark::DoNotOptimize(map.bytes());

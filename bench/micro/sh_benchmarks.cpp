@@ -29,8 +29,7 @@ void irradiance(benchmark::State& state, SharedInputs& inputs) {
                shlm::Sink<shlm::PaperModel>(methods.texels(), shlm::NearestTexels{}, inputs.quantum()));
     for (auto _ : state)
         for (const auto& texel : map.texels()) {
-            common::Rgb irradiance =
-                shlm::evaluate_series<shlm::PaperModel>(texel.light, shlm::evaluate_sh<2>(texel.face.normal));
+            common::Rgb irradiance = texel.irradiance(texel.face.normal);
             benchmark::DoNotOptimize(irradiance);
         }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(map.texels().size()));

@@ -22,8 +22,7 @@ template <shlm::ShWeight Weight = shlm::ShWeight::normalised>
     const auto map = light_map_of<Model>(texels, hits, shlm::OwnTexel{});
     double sum = 0;
     for (const auto& texel : map.texels())
-        sum += double{texel.face.area} * common::mean_component(shlm::evaluate_series<Model>(
-                                             texel.light, shlm::evaluate_sh<0>(texel.face.normal)));
+        sum += double{texel.face.area} * common::mean_component(texel.irradiance(texel.face.normal));
     return sum;
 }
 

@@ -1,5 +1,7 @@
 #include "bench/study/study_store.h"
 
+#include "bench/app/finished_map.h"
+
 namespace bench {
 namespace {
 
@@ -18,8 +20,7 @@ void finish_store(shlm::Sink<Model>& sink, const std::vector<Method>& methods, c
                   const common::TraceReport& trace, const UseMap& use) {
     for (const Method& method : methods) {
         const common::Stopwatch build;
-        const auto map =
-            sink.finish(trace.watts_per_flux(), method.light_map()->gather, method.light_map()->least_hits);
+        const auto map = finished_map(*method.light_map(), sink, trace);
         StudyMap result = study_map(method, map, build.seconds());
         result.insert_bytes = sink.bytes();
         result.hits_rejected = sink.rejected().total();

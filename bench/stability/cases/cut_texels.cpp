@@ -74,7 +74,7 @@ double variance_of_nearest(double left) {
 
 /// Mean of the squared errors of a weighted mean of four texels at the border, whatever is left of them; the
 /// cut ones have the weight `cut`, those of the next row `down`.
-double error_without_areas(const CutChart& chart, const shlm::LightMap<FlatModel>& own, double cut,
+double error_without_areas(const CutChart& chart, const shlm::HarmonicMap<FlatModel>& own, double cut,
                            double down) {
     const auto light = [&](double x, double y) {
         std::vector<double> read;

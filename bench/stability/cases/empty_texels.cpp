@@ -9,7 +9,7 @@ namespace {
 using common::SurfacePoint;
 
 /// As the four nearest would read if those were left out that have no hits: all are of one area.
-double mean_without_empty_ones(const SparseFloor& floor, const shlm::LightMap<FlatModel>& own) {
+double mean_without_empty_ones(const SparseFloor& floor, const shlm::HarmonicMap<FlatModel>& own) {
     double sum = 0;
     int blocks = 0;
     for (int j = 0; j + 1 < SparseFloor::texels_along; ++j)

@@ -88,8 +88,9 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
 const RegisteredCase registered(
     83,
     {.name = "face-texels",
-     .purpose = "Texels without lightmap coordinates: if each triangle had texels of its own, small ones would "
-                "have too many, and each of these too few hits.",
+     .purpose =
+         "Texels without lightmap coordinates: if each triangle had texels of its own, small ones would "
+         "have too many, and each of these too few hits.",
      .scene = "A floor of 1 x 1 under vertical light of 1 W/m^2, cut into squares of two triangles each; "
               "400 texels are wanted, and 10 hits fall on the area of each.",
      .swept = "area of a triangle / area of a texel",

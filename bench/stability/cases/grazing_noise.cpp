@@ -67,9 +67,7 @@ double texel_noise(const HitBatch& hits) {
     static const shlm::PreparedTexels texels = texels_of(unit_floor(), side * side);
     const auto map = light_map_of<Model>(texels, hits, shlm::OwnTexel{});
     std::vector<double> readings;
-    for (const auto& texel : map.texels())
-        readings.push_back(
-            shlm::evaluate_series<Model>(texel.light, shlm::evaluate_sh<Model::order>(texel.face.normal)).x);
+    for (const auto& texel : map.texels()) readings.push_back(texel.irradiance(texel.face.normal).x);
     return noise_of(readings, static_cast<double>(hits.size()) / static_cast<double>(readings.size()));
 }
 

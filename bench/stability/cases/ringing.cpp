@@ -46,13 +46,13 @@ template <int Order>
 Reading read(const shlm::PreparedTexels& texel, const common::HitBatch& hits, const SurfacePoint& point,
              float band_1 = 1, float band_2 = 1) {
     const auto map = light_map_of<HarmonicModel<Order>>(texel, hits, shlm::OwnTexel{});
-    const auto y = shlm::evaluate_sh<Order>(point.shading_normal);
-    auto light = map.texels().front().light;
+    auto texel_shown = map.texels().front();
     const auto series = [&] {
-        return double{common::mean_component(shlm::evaluate_series<HarmonicModel<Order>>(light, y))};
+        return double{common::mean_component(texel_shown.irradiance(point.shading_normal))};
     };
     const double whole = series();
-    for (std::size_t i = 1; i < light.size(); ++i) light[i] *= i < 4 ? band_1 : band_2;
+    for (std::size_t i = 3; i < texel_shown.stored.size(); ++i)
+        texel_shown.stored[i] *= i < 12 ? band_1 : band_2;
     return {double{common::mean_component(map.irradiance(point))}, whole, series()};
 }
 

@@ -39,10 +39,10 @@ double flux_of(const common::HitBatch& hits) {
     return sum;
 }
 
-double flux_of(const shlm::LightMap<FlatModel>& map) {
+double flux_of(const shlm::HarmonicMap<FlatModel>& map) {
     double sum = 0;
     for (const auto& texel : map.texels())
-        sum += double{texel.light[0].x} * shlm::evaluate_sh<0>(texel.face.normal)[0] * texel.face.area;
+        sum += double{texel.irradiance(texel.face.normal).x} * texel.face.area;
     return sum;
 }
 

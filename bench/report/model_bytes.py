@@ -1,0 +1,170 @@
+"""Error against bytes of the finished map: adaptive light maps, uniform ones by basis, photon maps.
+
+    model_bytes.py STUDY OUT
+
+STUDY is the folder of a `shlmbench study`. Writes OUT/model-bytes.png, the largest size of every scene that all have,
+and OUT/model-bytes.md: what a uniform light map needs for the error of each adaptive one.
+"""
+
+import math
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from study_curves import curves_of
+from study_data import Study, StudyError
+from study_style import SMALL, Sheet, plain_axes
+from study_text import machine_text
+
+ADAPTIVE, PHOTON_MAP = "adaptive", "photon map"
+COLOURS = {
+    ADAPTIVE: "#111111",
+    "L0": "#b59f10",
+    "AD": "#3c7d5a",
+    "H4": "#8a5a00",
+    "YL2": "#b06cc4",
+    "L2": "#cf2f2a",
+    "L4": "#6d0f24",
+    PHOTON_MAP: "#2f6fb0",
+}
+MARKERS = {ADAPTIVE: "*", PHOTON_MAP: "s"}
+
+
+def kind_of(method):
+    """Adaptive, photon map, or the basis of a uniform light map."""
+    family, basis = method.split("/")[:2]
+    if family != "shlm":
+        return PHOTON_MAP
+    return ADAPTIVE if basis[0] == "a" and basis[1:2].isdigit() else basis
+
+
+def at_size(curves, hits):
+    """method -> (bytes, error in %) at one number of hits asked for."""
+    found = {}
+    for method, curve in curves.items():
+        for point in curve.points:
+            if point.run.hits_asked == hits:
+                found[method] = (point.bytes, 100 * math.sqrt(max(point.split.error, 0)))
+    return found
+
+
+def front(points):
+    """Those that nobody with as few bytes beats, from few bytes to many."""
+    kept, least = [], math.inf
+    for size, error in sorted(points):
+        if error < least:
+            kept.append((size, error))
+            least = error
+    return kept
+
+
+def bytes_for(kept, error):
+    """On a straight line in log-log between neighbours of the front; NaN where it does not reach the error."""
+    for (small, high), (large, low) in zip([(None, math.inf)] + kept, kept):
+        if low > error:
+            continue
+        if small is None or high == low:
+            return large
+        along = (math.log(high) - math.log(error)) / (math.log(high) - math.log(low))
+        return math.exp(math.log(small) + along * (math.log(large) - math.log(small)))
+    return math.nan
+
+
+def uniform_of(found):
+    return {m: point for m, point in found.items() if kind_of(m) not in (ADAPTIVE, PHOTON_MAP)}
+
+
+def draw(axes, found, title):
+    for kind, colour in COLOURS.items():
+        points = sorted(point for method, point in found.items() if kind_of(method) == kind)
+        if not points:
+            continue
+        style = {"color": colour, "label": kind, "markersize": 8 if kind == ADAPTIVE else 4}
+        joined = front(points) if kind in (ADAPTIVE, PHOTON_MAP) else points
+        axes.plot(*zip(*points), MARKERS.get(kind, "o"), linestyle="none", **style)
+        axes.plot(*zip(*joined), color=colour, linewidth=1.3 if kind == ADAPTIVE else 0.6)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    plain_axes(axes, title, "bytes of the finished map", "error, %")
+    axes.grid(True, which="both", linewidth=0.3, alpha=0.5)
+    axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    axes.yaxis.set_minor_formatter(lambda value, _: f"{value:g}" if f"{value:.0e}"[0] in "235" else "")
+    axes.tick_params(axis="y", which="minor", labelsize=SMALL)
+
+
+def largest_size(curves):
+    """The largest number of hits that every method was measured with."""
+    return max(set.intersection(*({p.run.hits_asked for p in c.points} for c in curves.values())))
+
+
+def kib(size):
+    return "-" if math.isnan(size) else f"{size / 1024:,.0f}"
+
+
+def table(scene, hits, found):
+    kept = front(uniform_of(found).values())
+    photon_front = front([p for m, p in found.items() if kind_of(m) == PHOTON_MAP])
+    lines = []
+    for method, (size, error) in sorted(found.items(), key=lambda item: item[1]):
+        if kind_of(method) != ADAPTIVE:
+            continue
+        uniform, photons = bytes_for(kept, error), bytes_for(photon_front, error)
+        ratio = "-" if math.isnan(uniform) else f"{uniform / size:.1f}"
+        lines.append(
+            f"| {scene} | {hits:.0e} | {method} | {error:.2f} | {kib(size)} | {kib(uniform)} | {ratio} | {kib(photons)} |\n"
+        )
+    return "".join(lines)
+
+
+HEAD = (
+    "| scene | hits | adaptive map | error % | KiB | KiB of a uniform one | ratio | KiB of a photon map |\n"
+    "|---|---|---|---|---|---|---|---|\n"
+)
+
+
+def main():
+    if len(sys.argv) != 3:
+        print("usage: model_bytes.py STUDY OUT", file=sys.stderr)
+        return 2
+    try:
+        study = Study(sys.argv[1])
+    except StudyError as error:
+        print(error, file=sys.stderr)
+        return 2
+    out = Path(sys.argv[2])
+    out.mkdir(parents=True, exist_ok=True)
+    scenes = curves_of(study)
+    seeds = max(row["seed"] for row in study.rows)
+    words = (
+        "Relative root mean square error at the points that the camera sees (eps: a hundredth of the squared mean), "
+        f"root of the mean square over {seeds} seeds, against the path traced reference; all maps have the same photons. "
+        "Thick line: adaptive maps; thin lines: uniform texels by basis (halves and floats), the front of the photon maps. "
+        + machine_text(study.context)
+    )
+    columns = 2
+    rows = math.ceil(len(scenes) / columns)
+    sheet = Sheet(rows, columns, (4.7, 3.6), "Error against bytes of the finished map", words, legend_lines=1)
+    panels = list(np.ravel(sheet.panels))
+    text = HEAD
+    for axes, (scene, curves) in zip(panels, scenes.items()):
+        hits = largest_size(curves)
+        found = at_size(curves, hits)
+        draw(axes, found, f"{scene}, {hits:.0e} hits")
+        text += table(scene, hits, found)
+    for axes in panels[len(scenes) :]:
+        axes.set_visible(False)
+    sheet.legend(len(COLOURS))
+    sheet.save(out / "model-bytes.png")
+    (out / "model-bytes.md").write_text(
+        text + "\nThe uniform map and the photon map are the smallest of the study with at most the same error, "
+        "between neighbours on a straight line in log-log; -: none has it.\n"
+    )
+    print(text, end="")
+    for problem in study.problems:
+        print(problem, file=sys.stderr)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,33 @@
+// What it costs in error to keep no more of a block than each kind does.
+#pragma once
+
+#include "shlm/light_pyramid.h"
+
+namespace shlm {
+
+/// Sums over the surface of (error of the irradiance)^2 / (irradiance^2 + epsilon), mean of the channels,
+/// times area: world units squared. Estimates, from the light that was summed and from how many hits it is.
+struct BlockCosts {
+    std::array<float, block_kinds> error_sq{};
+    bool may_be_one = true;  ///< one surface: it need not be divided
+};
+
+/// What the estimates need to know of the whole map.
+struct LightStatistics {
+    /// 0.01 of the squared mean irradiance, as in common::relative_epsilon; W^2/m^4. Not 0 where all is dark.
+    double epsilon = 1;
+    double noise_of_a_hit = 1;  ///< relative variance of n hits' light, times n; 1 if all hits are alike
+};
+
+[[nodiscard]] LightStatistics light_statistics(std::span<const LightPyramid> pyramids);
+
+/// One entry per block, level by level, row by row.
+///
+/// Of a block that becomes one: the error by space is what its texels differ by more than the noise lets
+/// them; that of the basis, for the normals in use, is the series of order 2 less the basis's, less what the
+/// noise of order 2 brings to that; the noise is that of its hits. What cannot be told from noise is worth
+/// nothing here, and what is kept of it costs its noise.
+[[nodiscard]] std::vector<BlockCosts> block_costs(const LightPyramid& pyramid, const NormalsInUse& normals,
+                                                  const LightStatistics& statistics);
+
+}  // namespace shlm

@@ -1,0 +1,70 @@
+// One face of a region with all its blocks: squares of 1, 2, 4, 8 ... texels a side.
+#pragma once
+
+#include <vector>
+
+#include "shlm/light_ladder.h"
+#include "shlm/prepared_texels.h"
+#include "shlm/texel_sums.h"
+
+namespace shlm {
+
+/// What an adaptive map is made from: the harmonics, and the surface's exact irradiance.
+using AdaptiveModel = TexelModel<2, ShWeight::normalised>;
+
+struct LightBlock {
+    double area = 0;  ///< covered, world units squared
+    double hits = 0;
+    Imath::V3d normal{0, 0, 0};  ///< times area
+    Imath::V3d center{0, 0, 0};  ///< times area
+    bool one_surface = true;     ///< nearly flat and hanging together: may be one block of the map
+    std::array<float, 3 * AdaptiveModel::summed> watts{};  ///< as TexelSum::value
+
+    [[nodiscard]] common::Vec3 unit_normal() const {
+        return area > 0 ? common::Vec3(normal.normalized()) : common::Vec3(0, 0, 1);
+    }
+    [[nodiscard]] BlockLight light() const;
+};
+
+/// Where a face is.
+struct RegionFace {
+    std::uint32_t region;
+    bool back;
+};
+
+class LightPyramid {
+  public:
+    LightPyramid(const TexelSums<AdaptiveModel>& sums, const PreparedTexels& texels, float watts_per_flux,
+                 const RegionFace& face);
+
+    /// Level 0 has a block for each texel, the last level has one.
+    [[nodiscard]] std::size_t levels() const { return level_.size(); }
+    [[nodiscard]] std::uint32_t width(std::size_t level) const { return level_[level].width; }
+    [[nodiscard]] std::uint32_t height(std::size_t level) const { return level_[level].height; }
+
+    [[nodiscard]] const LightBlock& block(std::size_t level, std::uint32_t x, std::uint32_t y) const {
+        return level_[level].block[std::size_t{y} * level_[level].width + x];
+    }
+
+    /// Calls `use(child x, child y)` for the up to four blocks of the level below.
+    template <class Use>
+    void for_children(std::size_t level, std::uint32_t x, std::uint32_t y, Use use) const {
+        const Level& below = level_[level - 1];
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const std::uint32_t child_x = 2 * x + i % 2, child_y = 2 * y + i / 2;
+            if (child_x < below.width && child_y < below.height) use(child_x, child_y);
+        }
+    }
+
+  private:
+    struct Level {
+        std::uint32_t width, height;
+        std::vector<LightBlock> block;  ///< row by row
+    };
+
+    void join(std::size_t level, double texel_width);
+
+    std::vector<Level> level_;
+};
+
+}  // namespace shlm

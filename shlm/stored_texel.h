@@ -1,0 +1,70 @@
+// A texel as the finished map stores it: floats, or halves of them.
+#pragma once
+
+#include <Imath/half.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "shlm/basis.h"
+#include "shlm/texel_lookup.h"
+
+namespace shlm {
+
+using Imath::half;
+
+/// A texel that a gather can find. `Number`: float or half.
+template <Basis B, class Number = float>
+struct Texel {
+    static constexpr std::size_t count = number_count<B>;
+
+    TexelFace face;
+    std::array<Number, count> stored;
+
+    /// Those in W/m^2 in units of the map's (LightMap::unit).
+    [[nodiscard]] typename B::Numbers numbers() const {
+        typename B::Numbers numbers;
+        for (std::size_t i = 0; i < count; ++i) numbers[i] = static_cast<float>(stored[i]);
+        return numbers;
+    }
+
+    /// For a shading normal, in units of the map's; may be negative.
+    [[nodiscard]] common::Rgb irradiance(const common::Vec3& shading_normal) const {
+        return B::irradiance(numbers(), face.normal, typename B::Question(shading_normal));
+    }
+};
+
+/// W/m^2, a power of two: so large that no number of light in these units is beyond what a half can hold, and
+/// as halves have 40 binary orders of magnitude, what is 1e-9 of the brightest still has all 11 bits.
+/// `largest`: magnitude of the numbers.
+[[nodiscard]] inline float unit_for_halves(float largest) {
+    if (largest == 0) return 1;
+    constexpr int largest_exponent = 15;  // 2^15 <= 65504
+    return std::ldexp(1.0f, std::max(std::ilogb(largest) + 1 - largest_exponent, -120));
+}
+template <Basis B>
+[[nodiscard]] float unit_for_halves(std::span<const Texel<B>> texels) {
+    float largest = 0;
+    for (const Texel<B>& texel : texels)
+        for (std::size_t i = 0; i < B::light_numbers; ++i)
+            largest = std::max(largest, std::abs(texel.stored[i]));
+    return unit_for_halves(largest);
+}
+
+/// The nearest half; the last one for what is beyond it.
+[[nodiscard]] inline half half_of(float number, float unit) {
+    constexpr float largest = 65504;
+    return half(std::clamp(number / unit, -largest, largest));
+}
+
+template <Basis B>
+[[nodiscard]] Texel<B, half> in_halves(const Texel<B>& texel, float unit) {
+    Texel<B, half> result{texel.face, {}};
+    for (std::size_t i = 0; i < result.stored.size(); ++i)
+        result.stored[i] = half_of(texel.stored[i], i < B::light_numbers ? unit : 1);
+    return result;
+}
+
+}  // namespace shlm

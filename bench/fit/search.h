@@ -1,0 +1,29 @@
+// Pilots that grow until it is clear what to choose.
+#pragma once
+
+#include "bench/fit/choice.h"
+
+namespace bench::fit {
+
+struct SearchLimits {
+    std::uint64_t pilot_hits = 0;  ///< of each half of the last pilot, at most
+};
+
+/// All that a fit has found out.
+struct FitResult {
+    std::vector<Candidate> candidates;
+    SelfEstimates estimates;
+    std::vector<std::optional<PilotCost>> costs;  ///< in the candidates' order
+    Choice light_map, photon_map;
+    std::vector<Proposal> light_maps, photon_maps;  ///< all that reach the target, the least cost first
+    std::uint64_t pilot_hits = 0;                   ///< of each half of the largest pilot that was traced
+    double pilot_seconds = 0;                       ///< wall time of all pilots
+};
+
+/// Begins with 1/64 of the largest pilot and takes four times as much until more could hardly be saved by
+/// knowing more, or the largest is done. Candidates that cannot be chosen any more, or of which enough is
+/// known, are not traced again. Throws Interrupted, and InputError where the camera sees nothing or it is
+/// dark there.
+[[nodiscard]] FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchLimits& limits);
+
+}  // namespace bench::fit

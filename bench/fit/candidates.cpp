@@ -17,8 +17,8 @@ const std::vector<std::string> kernels = {"disc", "epanechnikov"};
 constexpr double fewest_texels = 1024, most_texels = 4194304;
 constexpr double largest_radius = 0.1, smallest_radius = 0.001;  // scene diagonals
 constexpr int radii = 14;
-constexpr double largest_share = 4096e-6, smallest_share = 0.125e-6;
-constexpr std::uint64_t fewest_nearest = 8, most_nearest = 16384;  // of grid_names
+constexpr double largest_share = 16384e-6, smallest_share = 0.125e-6;
+constexpr std::uint64_t smallest_grid_k = 8, largest_grid_k = 65536;
 
 double radius(int step) {
     const double exact = largest_radius * std::pow(smallest_radius / largest_radius, step / (radii - 1.0));
@@ -91,7 +91,7 @@ std::vector<std::string> grid_names() {
     for (const Candidate& candidate : all_candidates())
         if (candidate.kind != CandidateKind::photon_share) names.push_back(candidate.name(1));
     for (const std::string& kernel : kernels)
-        for (std::uint64_t k = fewest_nearest; k <= most_nearest; k *= 2)
+        for (std::uint64_t k = smallest_grid_k; k <= largest_grid_k; k *= 2)
             names.push_back(fmt::format("photonmap/compact/k{}/{}", k, kernel));
     return names;
 }

@@ -37,6 +37,9 @@ struct Candidate {
     [[nodiscard]] bool is_light_map() const { return kind == CandidateKind::light_map; }
 };
 
+/// The k nearest are as many as parse_method takes, and enough for their noise to be 1 / k.
+inline constexpr double least_nearest = 8, most_nearest = 100'000;
+
 /// k of a share at so many hits, at least 2.
 [[nodiscard]] std::uint64_t nearest_count(double share, std::uint64_t hits);
 

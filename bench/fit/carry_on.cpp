@@ -9,6 +9,12 @@ double upper_bias_sq(const ErrorModel& model, double z) {
     return model.bias_sq() + z * std::sqrt(model.bias_variance);
 }
 
+/// Whether its width is what its value says. The k nearest of a large share are not: in dark places the
+/// largest gather radius cuts them off, so that a share's blur falls more slowly than its width.
+bool has_width_of_its_own(const Candidate& candidate) {
+    return candidate.kind != CandidateKind::photon_share;
+}
+
 /// Its bias by `coarse`, its noise its own.
 ErrorModel with_bias_of(ErrorModel own, const ErrorModel& carried) {
     own.blur_sq = carried.blur_sq;
@@ -38,7 +44,8 @@ void carry_on(std::span<const Candidate> candidates, double z, std::span<std::op
                 carried_on(*model[*known], candidates[*known].width(), candidates[i].width());
             if (!model[i])
                 model[i] = carried;
-            else if (upper_bias_sq(carried, z) < upper_bias_sq(*model[i], z))
+            else if (has_width_of_its_own(candidates[i]) &&
+                     upper_bias_sq(carried, z) < upper_bias_sq(*model[i], z))
                 model[i] = with_bias_of(*model[i], carried);
         }
         if (model[i]) known = i;

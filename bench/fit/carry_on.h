@@ -15,7 +15,9 @@ namespace bench::fit {
 [[nodiscard]] ErrorModel carried_on(const ErrorModel& coarse, double coarse_width, double width);
 
 /// Gives every candidate of a chain, coarse ones first, the smaller of the upper bounds (at z standard
-/// errors) of its own bias and of the coarser ones' carried on. `model` has none where nothing was measured.
+/// errors) of its own bias and of the coarser ones' carried on; shares of the k nearest, whose blur has a
+/// limit of its own, have the latter only where they were not measured. `model` has none where nothing was
+/// measured.
 void carry_on(std::span<const Candidate> candidates, double z, std::span<std::optional<ErrorModel>> model);
 
 }  // namespace bench::fit

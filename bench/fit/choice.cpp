@@ -10,8 +10,6 @@
 namespace bench::fit {
 namespace {
 
-constexpr double least_photons_per_gather = 8;  // fewer have another noise than 1 / k
-
 std::string percent(double error_sq) {
     return fmt::format("{:.3g} %", 100 * std::sqrt(error_sq));
 }
@@ -32,6 +30,12 @@ Proposal proposal_at(const Knowledge& known, std::size_t i, double hits) {
 
 bool is_known(const Knowledge& known, std::size_t i, bool light_maps) {
     return known.candidates[i].is_light_map() == light_maps && known.estimates.model[i] && known.costs[i];
+}
+
+/// The most hits that the candidate can take.
+double most_hits(const Candidate& candidate) {
+    return candidate.kind == CandidateKind::photon_share ? most_nearest / candidate.value
+                                                         : std::numeric_limits<double>::infinity();
 }
 
 /// What is beyond the goal's limits; empty where nothing is.
@@ -59,7 +63,7 @@ Choice out_of_reach(const Knowledge& known, const FitGoal& goal, bool light_maps
             known.estimates.model[i]->bias_sq() + goal.z * std::sqrt(known.estimates.model[i]->bias_variance);
         if (upper >= least) continue;
         least = upper;
-        choice.proposal = proposal_at(known, i, goal.max_hits);
+        choice.proposal = proposal_at(known, i, std::min(goal.max_hits, most_hits(known.candidates[i])));
     }
     if (!std::isfinite(least)) {
         choice.reason = fmt::format("no {} of the grid could be measured", kind_name(light_maps));
@@ -67,7 +71,7 @@ Choice out_of_reach(const Knowledge& known, const FitGoal& goal, bool light_maps
     }
     const ErrorModel& model = choice.proposal.model;
     const std::string name =
-        known.candidates[choice.proposal.candidate].name(static_cast<std::uint64_t>(goal.max_hits));
+        known.candidates[choice.proposal.candidate].name(static_cast<std::uint64_t>(choice.proposal.hits));
     const bool for_sure =
         model.bias_sq() - goal.z * std::sqrt(model.bias_variance) > goal.target * goal.target;
     choice.reason =
@@ -93,8 +97,8 @@ std::vector<Proposal> proposals(const Knowledge& known, const FitGoal& goal, boo
         auto hits = hits_for(*known.estimates.model[i], goal.target, goal.z);
         if (!hits) continue;
         if (known.candidates[i].kind == CandidateKind::photon_share)
-            hits = std::max(*hits, least_photons_per_gather / known.candidates[i].value);
-        all.push_back(proposal_at(known, i, std::ceil(*hits)));
+            hits = std::max(*hits, least_nearest / known.candidates[i].value);
+        if (*hits <= most_hits(known.candidates[i])) all.push_back(proposal_at(known, i, std::ceil(*hits)));
     }
     std::stable_sort(all.begin(), all.end(),
                      [&](const Proposal& a, const Proposal& b) { return price(a, goal) < price(b, goal); });

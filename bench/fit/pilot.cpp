@@ -13,7 +13,7 @@ namespace bench::fit {
 namespace {
 
 constexpr std::uint64_t first_photon_of_b = std::uint64_t{1} << 40;
-constexpr double least_hits_per_texel = 4, least_photons_per_gather = 8;
+constexpr double least_hits_per_texel = 4;
 
 /// Candidates that one store serves, by their places in the list.
 struct Group {
@@ -113,7 +113,7 @@ bool is_measurable(const Candidate& candidate, std::uint64_t hits) {
         case CandidateKind::light_map:
             return candidate.value * least_hits_per_texel <= n;
         case CandidateKind::photon_share:
-            return candidate.value * n >= least_photons_per_gather;
+            return candidate.value * n >= least_nearest && candidate.value * n <= most_nearest;
         case CandidateKind::photon_radius:
             break;
     }

@@ -8,7 +8,7 @@
 namespace bench::fit {
 namespace {
 
-constexpr std::uint64_t growth = 4, first_share = 64;
+constexpr std::uint64_t growth = 4, first_share = 64, fewest_hits = 25'000;
 constexpr double enough = 1.1;    // a candidate's hits are known to a tenth
 constexpr double worth_it = 1.2;  // the choice might cost so much less if there were no doubt
 
@@ -88,6 +88,13 @@ bool is_decided(const State& state, const Choice& choice, bool light_maps) {
     return true;
 }
 
+/// Whether the next pilot would be larger than the runs it is about.
+bool is_dearer_than_runs(const State& state, std::uint64_t next_hits) {
+    const Choice &light_map = state.result.light_map, &photon_map = state.result.photon_map;
+    return light_map.reached && photon_map.reached &&
+           2 * static_cast<double>(next_hits) > light_map.proposal.hits + photon_map.proposal.hits;
+}
+
 /// Chooses anew from all samples. False where the pilot was too small for that.
 bool choose_both(State& state) {
     auto estimates = estimate_errors(state.candidates, state.samples, state.subject.points, state.goal.z);
@@ -105,7 +112,8 @@ FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchL
     State state{subject, goal};
     const common::Stopwatch watch;
     bool known = false;
-    for (std::uint64_t hits = std::max<std::uint64_t>(1, limits.pilot_hits / first_share);
+    for (std::uint64_t hits =
+             std::max(std::min(limits.pilot_hits, fewest_hits), limits.pilot_hits / first_share);
          hits <= limits.pilot_hits; hits *= growth) {
         run_pilot(subject, state.candidates, to_trace(state, hits, !known), hits, state.samples);
         state.result.pilot_hits = hits;
@@ -113,6 +121,7 @@ FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchL
         if (known && is_decided(state, state.result.light_map, true) &&
             is_decided(state, state.result.photon_map, false))
             break;
+        if (known && is_dearer_than_runs(state, hits * growth)) break;
     }
     if (!known)
         throw common::InputError(

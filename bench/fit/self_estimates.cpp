@@ -29,6 +29,16 @@ std::optional<std::size_t> find_light_map(Candidates candidates, Samples samples
     return std::nullopt;
 }
 
+/// 2 fine - coarse, by halves.
+Halves extrapolated(const Halves& fine, const Halves& coarse) {
+    const auto extrapolate = [](const std::vector<common::Rgb>& f, const std::vector<common::Rgb>& c) {
+        std::vector<common::Rgb> result(f.size());
+        for (std::size_t i = 0; i < f.size(); ++i) result[i] = 2.0f * f[i] - c[i];
+        return result;
+    };
+    return {extrapolate(fine.a, coarse.a), extrapolate(fine.b, coarse.b)};
+}
+
 /// Of all maps of the finest basis the one whose blur is the least for sure: with more texels there is less
 /// blur and more noise to hide it.
 std::optional<Finest> find_finest(Candidates candidates, Samples samples, const Measure& measure) {
@@ -44,9 +54,10 @@ std::optional<Finest> find_finest(Candidates candidates, Samples samples, const 
         const double upper = std::max(0.0, blur_sq.value) + z_of_finest * blur_sq.standard_error();
         if (upper >= least) continue;
         least = upper;
-        finest = {i, *quarter, blur_sq, {}};
+        finest = {i, *quarter, {}, blur_sq, {}};
     }
     if (!finest) return finest;
+    finest->truth = extrapolated(samples[finest->candidate].halves, samples[finest->quarter].halves);
     const Candidate& fine = candidates[finest->candidate];
     if (const auto below = find_light_map(candidates, samples, basis_below_finest(), fine.gather, fine.value))
         finest->truncation_sq =
@@ -67,8 +78,7 @@ double truncation_sq(std::size_t i, Candidates candidates, Samples samples, cons
 
 ErrorModel model_of(std::size_t i, Candidates candidates, Samples samples, const Finest& finest,
                     std::span<const common::Rgb> best, const Measure& measure) {
-    SquareEstimate bias_sq = squared_difference(samples[i].halves, samples[finest.candidate].halves, measure);
-    bias_sq += finest.blur_sq;
+    SquareEstimate bias_sq = squared_difference(samples[i].halves, finest.truth, measure);
     bias_sq += finest.truncation_sq;
     const double known = std::max(0.0, bias_sq.value);
     const double truncation = std::min(known, truncation_sq(i, candidates, samples, finest, measure));
@@ -103,9 +113,9 @@ std::optional<SelfEstimates> estimate_by(Candidates candidates, Samples samples,
 }
 
 /// A photon map of about 64 nearest: nowhere far off, whatever the light is like.
-std::size_t first_guess(Candidates candidates, Samples samples) {
+std::optional<std::size_t> first_guess(Candidates candidates, Samples samples) {
     constexpr double usual = 64;
-    std::size_t guess = 0;
+    std::optional<std::size_t> guess;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (candidates[i].kind != CandidateKind::photon_share || !samples[i].present()) continue;
@@ -121,7 +131,9 @@ std::size_t first_guess(Candidates candidates, Samples samples) {
 
 std::optional<SelfEstimates> estimate_errors(Candidates candidates, Samples samples, const FitPoints& points,
                                              double z) {
-    std::vector<common::Rgb> best = mean_of(samples[first_guess(candidates, samples)].halves);
+    const auto guess = first_guess(candidates, samples);
+    if (!guess) return std::nullopt;
+    std::vector<common::Rgb> best = mean_of(samples[*guess].halves);
     std::optional<SelfEstimates> estimates;
     for (int pass = 0; pass < 2; ++pass) {
         estimates = estimate_by(candidates, samples, Measure(best, points.tile, points.tiles), best);

@@ -9,20 +9,23 @@
 
 namespace bench::fit {
 
-/// The candidate that the others are measured by, and what it is itself short of.
+/// What stands in for the truth. With F the finest map that noise leaves of use, and Q the map with a quarter
+/// of its texels, all are measured by 2 F - Q: the blur b(h) of a map with texels of side h is taken to be
+/// halved with h, so that b(h) = Q - F at every point.
 ///
-/// Its blur is what it changes from the map with a quarter of its texels, the mean of (E_T/4 - E_T)^2. That
-/// is exact where the light has edges: a texel shows the mean over itself, so E_T/4 - E_T and E_T - E have
-/// nothing in common (one is constant on each texel, the other has the mean zero there), squared blurs
-/// therefore subtract, and that of an edge is in proportion to the texels' side, of which E_T/4 has twice as
-/// much: 2 B - B. Where the light is smooth the blur itself, by a kernel that moves with the point, is halved
-/// at least with the side: (2 b - b)^2; with texels that stay where they are it is 4 B - B, too large and
-/// safe.
+/// That is exact for blur in proportion to h. Of an edge that a box of width h blurs, a map with twice F's
+/// width gets exactly its squared blur, one with four times the width 9/8 of it; nearest texels and small
+/// discs are of that kind. Texels that show their own mean alone have Q - F and F - E orthogonal (one is
+/// constant on each of F's texels, the other has the mean zero there): F gets B, which is exact, Q gets 4 B
+/// in place of 2 B, and m times the width (m + 2) B in place of m B. Where the light is smooth blur falls
+/// with the square of h, and too much is taken off: F gets 9 B. So what is not exact is too large, and the
+/// less so the coarser a candidate is than F.
 struct Finest {
     std::size_t candidate = 0;
     std::size_t quarter = 0;       ///< the candidate with a quarter of its texels
-    SquareEstimate blur_sq;        ///< of the finest map
-    SquareEstimate truncation_sq;  ///< by the harmonics beyond the last band
+    Halves truth;                  ///< 2 F - Q
+    SquareEstimate blur_sq;        ///< of F by it: mean w (Q - F)^2
+    SquareEstimate truncation_sq;  ///< of F: by the harmonics beyond the last band
 };
 
 /// Models in the candidates' order: none where nothing is known. `best` answers with the least expected

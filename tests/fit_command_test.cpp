@@ -15,7 +15,7 @@ class Fit : public Command {
   protected:
     /// A pilot that is as small as can be, and a target that does not take more.
     [[nodiscard]] static Words fit(const Words& more = {}, const std::string& wanted = "40%") {
-        Words words = {"fit", cornell, "--target", wanted, "--pilot", "1e5", "--max-hits", "1e6"};
+        Words words = {"fit", cornell, "--target", wanted, "--pilot", "25000", "--max-hits", "1e6"};
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }
@@ -153,7 +153,7 @@ TEST_F(Fit, RefusesWhatMeansNothing) {
 }
 
 TEST_F(Fit, InterruptedLeavesNothing) {
-    Child child = start({"fit", cornell, "--target", "0.1%", "--pilot", "1e12", "--out", path("out")});
+    Child child = start({"fit", cornell, "--target", "0.1%", "--pilot", "1e9", "--out", path("out")});
     ASSERT_TRUE(child_process::wait_until([&] { return fs::exists(path("out")); }));
     ASSERT_TRUE(child_process::wait_until([&] { return child.catches(SIGINT); }));
     child.send(SIGINT);

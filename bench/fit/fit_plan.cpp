@@ -6,6 +6,7 @@
 
 #include "bench/app/memory_need.h"
 #include "bench/app/output_folder.h"
+#include "bench/fit/search.h"
 #include "bench/stability/significance.h"
 #include "common/core/input_error.h"
 
@@ -13,7 +14,6 @@ namespace bench {
 namespace {
 
 constexpr double confidence = 0.9;  // of ten runs nine meet the target
-constexpr std::uint64_t fewest_pilot_hits = 100'000;
 constexpr std::size_t most_seeds = 1000;
 
 fit::FitGoal goal_of(const FitOptions& options) {
@@ -71,8 +71,8 @@ FitPlan make_plan(const FitOptions& options) {
                  .settings = {},
                  .seed = options.run.seed,
                  .threads = options.run.thread_count()};
-    if (plan.pilot_hits < fewest_pilot_hits)
-        throw common::InputError(fmt::format("--pilot: at least {}", fewest_pilot_hits));
+    if (plan.pilot_hits < fit::fewest_pilot_hits)
+        throw common::InputError(fmt::format("--pilot: at least {}", fit::fewest_pilot_hits));
     if (plan.seeds < 1 || plan.seeds > most_seeds)
         throw common::InputError(fmt::format("--seeds: from 1 to {}", most_seeds));
     if (!options.verify.empty()) plan.reference = options.verify;

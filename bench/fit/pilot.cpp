@@ -88,7 +88,10 @@ void add_cost(PilotCost& cost, const common::TraceReport& trace, const StudyMap&
 void fill_half(const PilotSubject& subject, const std::vector<Group>& batch, std::uint64_t hits,
                bool second_half, std::vector<PilotSample>& samples) {
     std::vector<StudyStore> stores;
-    for (const Group& group : batch) stores.emplace_back(group.methods, subject.prepared, subject.source);
+    for (const Group& group : batch) {
+        stop_if_interrupted();  // millions of texels take seconds to lay out
+        stores.emplace_back(group.methods, subject.prepared, subject.source);
+    }
     const common::TraceReport trace = trace_half(subject, second_half ? first_photon_of_b : 0, hits, stores);
     for (std::size_t g = 0; g < batch.size(); ++g) {
         std::size_t next = 0;

@@ -8,7 +8,7 @@
 namespace bench::fit {
 namespace {
 
-constexpr std::uint64_t growth = 4, first_share = 64, fewest_hits = 25'000;
+constexpr std::uint64_t growth = 4, first_share = 64;
 constexpr double enough = 1.1;    // a candidate's hits are known to a tenth
 constexpr double worth_it = 1.2;  // the choice might cost so much less if there were no doubt
 
@@ -113,7 +113,7 @@ FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchL
     const common::Stopwatch watch;
     bool known = false;
     for (std::uint64_t hits =
-             std::max(std::min(limits.pilot_hits, fewest_hits), limits.pilot_hits / first_share);
+             std::max(std::min(limits.pilot_hits, fewest_pilot_hits), limits.pilot_hits / first_share);
          hits <= limits.pilot_hits; hits *= growth) {
         run_pilot(subject, state.candidates, to_trace(state, hits, !known), hits, state.samples);
         state.result.pilot_hits = hits;

@@ -5,6 +5,9 @@
 
 namespace bench::fit {
 
+/// Of each half of the first pilot: with less there are not two sizes of texels to compare.
+inline constexpr std::uint64_t fewest_pilot_hits = 25'000;
+
 struct SearchLimits {
     std::uint64_t pilot_hits = 0;  ///< of each half of the last pilot, at most
 };
@@ -20,10 +23,10 @@ struct FitResult {
     double pilot_seconds = 0;                       ///< wall time of all pilots
 };
 
-/// Begins with 1/64 of the largest pilot, 25,000 hits at least, and takes four times as much until more could
-/// hardly be saved by knowing more, until the next one would have more hits than the two chosen runs, or
-/// until the largest is done. Candidates that cannot be chosen any more, or of which enough is known, are not
-/// traced again. Throws Interrupted, and InputError where the camera sees nothing or it is dark there.
+/// Begins with 1/64 of the largest pilot, fewest_pilot_hits at least, and takes four times as much until more
+/// could hardly be saved by knowing more, until the next one would have more hits than the two chosen runs,
+/// or until the largest is done. Candidates that cannot be chosen any more, or of which enough is known, are
+/// not traced again. Throws Interrupted, and InputError where the camera sees nothing or it is dark there.
 [[nodiscard]] FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchLimits& limits);
 
 }  // namespace bench::fit

@@ -9,8 +9,9 @@ namespace bench::fit {
 namespace {
 
 constexpr std::uint64_t growth = 4, first_share = 64;
-constexpr double enough = 1.1;    // a candidate's hits are known to a tenth
-constexpr double worth_it = 1.2;  // the choice might cost so much less if there were no doubt
+constexpr double enough = 1.1;       // a candidate's hits are known to a tenth
+constexpr double most_doubt = 0.15;  // margin of a choice, in squares of the target
+constexpr double worth_it = 1.2;     // the choice might cost so much less if there were no doubt
 
 struct State {
     const PilotSubject& subject;
@@ -88,6 +89,13 @@ bool is_decided(const State& state, const Choice& choice, bool light_maps) {
     return true;
 }
 
+/// Whether chance has little to say in it. With more doubt the least of many estimates is one that chance has
+/// flattered, and no margin for each alone makes up for that.
+bool is_sure(const FitGoal& goal, const Choice& choice) {
+    return !choice.reached || goal.z * choice.proposal.model.deviation(choice.proposal.hits) <=
+                                  most_doubt * goal.target * goal.target;
+}
+
 /// Whether the next pilot would be larger than the runs it is about.
 bool is_dearer_than_runs(const State& state, std::uint64_t next_hits) {
     const Choice &light_map = state.result.light_map, &photon_map = state.result.photon_map;
@@ -118,10 +126,11 @@ FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchL
         run_pilot(subject, state.candidates, to_trace(state, hits, !known), hits, state.samples);
         state.result.pilot_hits = hits;
         known = choose_both(state);
-        if (known && is_decided(state, state.result.light_map, true) &&
-            is_decided(state, state.result.photon_map, false))
+        if (!known || !is_sure(goal, state.result.light_map) || !is_sure(goal, state.result.photon_map))
+            continue;
+        if (is_dearer_than_runs(state, hits * growth) || (is_decided(state, state.result.light_map, true) &&
+                                                          is_decided(state, state.result.photon_map, false)))
             break;
-        if (known && is_dearer_than_runs(state, hits * growth)) break;
     }
     if (!known)
         throw common::InputError(

@@ -39,6 +39,17 @@ Halves extrapolated(const Halves& fine, const Halves& coarse) {
     return {extrapolate(fine.a, coarse.a), extrapolate(fine.b, coarse.b)};
 }
 
+/// What a map blurs, as far as coarser ones tell: half of what the next coarser one does. Its own estimate
+/// would favour the map that chance has flattered. Its own where there is no other.
+double expected_blur_sq(const Candidate& fine, std::size_t quarter, const SquareEstimate& own,
+                        Candidates candidates, Samples samples, const Measure& measure) {
+    const auto sixteenth = find_light_map(candidates, samples, fine.basis, fine.gather, fine.value / 16);
+    if (!sixteenth) return std::max(0.0, own.value);
+    return 0.5 *
+           std::max(0.0,
+                    squared_difference(samples[*sixteenth].halves, samples[quarter].halves, measure).value);
+}
+
 /// Of all maps of the finest basis the one whose blur is the least for sure: with more texels there is less
 /// blur and more noise to hide it.
 std::optional<Finest> find_finest(Candidates candidates, Samples samples, const Measure& measure) {
@@ -51,7 +62,8 @@ std::optional<Finest> find_finest(Candidates candidates, Samples samples, const 
         if (!quarter) continue;
         const SquareEstimate blur_sq =
             squared_difference(samples[*quarter].halves, samples[i].halves, measure);
-        const double upper = std::max(0.0, blur_sq.value) + z_of_finest * blur_sq.standard_error();
+        const double upper = expected_blur_sq(fine, *quarter, blur_sq, candidates, samples, measure) +
+                             z_of_finest * blur_sq.standard_error();
         if (upper >= least) continue;
         least = upper;
         finest = {i, *quarter, {}, blur_sq, {}};

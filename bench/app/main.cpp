@@ -12,6 +12,7 @@
 #include "bench/app/trace.h"
 #include "bench/bases/bases.h"
 #include "bench/compare/compare.h"
+#include "bench/fit/fit.h"
 #include "bench/limit/limit.h"
 #include "bench/stability/stability.h"
 #include "bench/study/study.h"
@@ -38,6 +39,7 @@ int run(int argc, char** argv) {
     bench::add_diff_command(app);
     bench::add_bases_command(app);
     bench::add_limit_command(app);
+    bench::add_fit_command(app);
     bench::add_stability_command(app);
     try {
         app.parse(argc, argv);

@@ -13,13 +13,6 @@ namespace {
 using common::InputError;
 using common::reference::samples_per_pass;
 
-double parse_percentage(const std::string& text) {
-    if (!text.ends_with('%')) throw InputError("--until: '" + text + "' is not a percentage such as 0.1%");
-    const double percent = parse_numbers("--until", text.substr(0, text.size() - 1), 1).front();
-    if (!(percent > 0 && percent < 100)) throw InputError("--until: more than 0% and less than 100%");
-    return percent / 100;
-}
-
 }  // namespace
 
 bool ReferenceTarget::reached(std::uint64_t passes_done, double error) const {
@@ -39,7 +32,7 @@ std::uint64_t ReferenceTarget::expected_passes(std::uint64_t passes_done, double
 
 ReferenceTarget reference_target(const std::string& spp, const std::string& until) {
     if (!spp.empty() && !until.empty()) throw InputError("--spp and --until exclude each other");
-    if (!until.empty()) return {.relative_error = parse_percentage(until)};
+    if (!until.empty()) return {.relative_error = parse_percentage("--until", until)};
     const std::uint64_t samples = spp.empty() ? 1024 : parse_count("--spp", spp);
     constexpr std::uint64_t most_samples = std::uint64_t{1} << 36;  // passes are counted in 32 bits
     if (samples > most_samples) throw InputError("--spp: at most 68719476736");

@@ -111,6 +111,15 @@ double parse_seconds(const std::string& option, const std::string& text) {
     return value * unit;
 }
 
+double parse_percentage(const std::string& option, const std::string& text) {
+    if (!text.ends_with('%'))
+        throw InputError(fmt::format("{}: '{}' is not a percentage such as 0.1%", option, text));
+    const double percent = parse_numbers(option, text.substr(0, text.size() - 1), 1).front();
+    if (!(percent > 0 && percent < 100))
+        throw InputError(fmt::format("{}: more than 0% and less than 100%", option));
+    return percent / 100;
+}
+
 std::vector<std::uint64_t> parse_sizes(const std::string& option, const std::vector<std::string>& texts) {
     std::set<std::uint64_t> sizes;
     for (const std::string& text : texts) sizes.insert(parse_count(option, text));

@@ -44,6 +44,9 @@ struct LoadedScene {
 /// "60s", "5min", "1h". Throws InputError, naming the option, for anything else.
 [[nodiscard]] double parse_seconds(const std::string& option, const std::string& text);
 
+/// "0.1%" is 0.001. Throws InputError, naming the option, unless it is more than 0 % and less than 100 %.
+[[nodiscard]] double parse_percentage(const std::string& option, const std::string& text);
+
 /// Several of them, ascending, each once.
 [[nodiscard]] std::vector<std::uint64_t> parse_sizes(const std::string& option,
                                                      const std::vector<std::string>& texts);

@@ -1,7 +1,6 @@
 #include "bench/study/study_run.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -49,29 +48,10 @@ Json row_of(const RunFacts& facts, const StudyMap& map, const MethodSettings& se
     return row;
 }
 
-std::vector<common::Rgb> ask(const StudyMap& map, std::span<const common::SurfacePoint> points) {
-    std::vector<common::Rgb> answers(points.size());
-    tbb::parallel_for(std::size_t{0}, points.size(),
-                      [&](std::size_t i) { answers[i] = map.irradiance(points[i]); });
-    return answers;
-}
-
 /// Folder of a method's answers, below the study's.
 std::filesystem::path answers_folder(const std::string& scene, std::string method) {
     std::replace(method.begin(), method.end(), '/', '-');
     return std::filesystem::path("raw") / scene / method;
-}
-
-/// Methods that one store serves.
-using MethodGroup = std::vector<Method>;
-
-std::vector<MethodGroup> groups_of(const std::vector<Method>& methods) {
-    std::vector<MethodGroup> groups;
-    for (const Method& method : methods) {
-        if (groups.empty() || !fill_alike(groups.back().front(), method)) groups.emplace_back();
-        groups.back().push_back(method);
-    }
-    return groups;
 }
 
 /// Why there are no texels to be had for the method; empty where there are.

@@ -57,12 +57,12 @@ std::vector<Rgb> read_answers(const fs::path& file, std::size_t points) {
     return answers;
 }
 
-StudyScene::StudyScene(const fs::path& file, const StudyPlan& plan)
-    : loaded_(file.string(), plan.scene),
+StudyScene::StudyScene(const fs::path& file, const fs::path& reference_file, const SceneOptions& options,
+                       const MethodSettings& settings)
+    : loaded_(file.string(), options),
       source_(loaded_.scene),
-      prepared_(loaded_, plan.settings),
+      prepared_(loaded_, settings),
       fingerprint_(common::fingerprint(loaded_.scene)) {
-    const fs::path reference_file = plan.reference_of(file);
     const auto reference = common::reference::read_reference(reference_file);
     if (const std::string lost = common::reference::paths_not_found(reference.notes); !lost.empty())
         throw common::InputError(fmt::format("{}: no measure for photons, which find what it lacks: {}",

@@ -17,7 +17,10 @@ class StudyScene {
   public:
     /// Throws InputError where the reference is of another camera or scene; a small difference in the scene
     /// only brings a warning on stderr.
-    StudyScene(const std::filesystem::path& file, const StudyPlan& plan);
+    StudyScene(const std::filesystem::path& file, const std::filesystem::path& reference_file,
+               const SceneOptions& options, const MethodSettings& settings);
+    StudyScene(const std::filesystem::path& file, const StudyPlan& plan)
+        : StudyScene(file, plan.reference_of(file), plan.scene, plan.settings) {}
 
     [[nodiscard]] const std::string& name() const { return loaded_.name; }
     [[nodiscard]] const LoadedScene& loaded() const { return loaded_; }
@@ -26,6 +29,12 @@ class StudyScene {
 
     /// Surface points behind the reference's pixels, in image order, without pixels that see none.
     [[nodiscard]] std::span<const common::SurfacePoint> points() const { return points_; }
+
+    /// The reference's irradiance at the points, W/m^2.
+    [[nodiscard]] std::span<const common::Rgb> truth() const { return truth_; }
+
+    /// Of the reference, relative RMS: what a measured error owes to it.
+    [[nodiscard]] double reference_error() const { return reference_error_; }
 
     /// Writes what the reference says of the points: reference.f32, variance.f32 (points x 3), tilt.f32
     /// (degrees between shading and geometric normal), pixel.u32 (row by row), little-endian, and

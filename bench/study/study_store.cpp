@@ -1,5 +1,7 @@
 #include "bench/study/study_store.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include "bench/app/finished_map.h"
 
 namespace bench {
@@ -48,6 +50,22 @@ void finish_store(Sink& sink, const std::vector<Method>& methods, const Prepared
 }
 
 }  // namespace
+
+std::vector<common::Rgb> ask(const StudyMap& map, std::span<const common::SurfacePoint> points) {
+    std::vector<common::Rgb> answers(points.size());
+    tbb::parallel_for(std::size_t{0}, points.size(),
+                      [&](std::size_t i) { answers[i] = map.irradiance(points[i]); });
+    return answers;
+}
+
+std::vector<MethodGroup> groups_of(const std::vector<Method>& methods) {
+    std::vector<MethodGroup> groups;
+    for (const Method& method : methods) {
+        if (groups.empty() || !fill_alike(groups.back().front(), method)) groups.emplace_back();
+        groups.back().push_back(method);
+    }
+    return groups;
+}
 
 StudyStore::StudyStore(std::vector<Method> methods, PreparedMethods& prepared,
                        const common::PhotonSource& source) {

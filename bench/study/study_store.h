@@ -22,6 +22,15 @@ struct StudyMap {
     double clamped_share = 0;  ///< of the stored flux, what the cosine's clamp took away; light maps only
 };
 
+/// What the map answers at each point, W/m^2. Uses all threads.
+[[nodiscard]] std::vector<common::Rgb> ask(const StudyMap& map, std::span<const common::SurfacePoint> points);
+
+/// Methods that one store serves.
+using MethodGroup = std::vector<Method>;
+
+/// Those that stand together and fill alike.
+[[nodiscard]] std::vector<MethodGroup> groups_of(const std::vector<Method>& methods);
+
 /// A store that may serve several methods.
 class StudyStore {
   public:

@@ -1,0 +1,53 @@
+// Which candidate reaches the target at least cost, and what forbids it where none does.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "bench/app/methods.h"
+#include "bench/fit/cost_model.h"
+#include "bench/fit/self_estimates.h"
+
+namespace bench::fit {
+
+/// What is wanted, and what may be spent on it.
+struct FitGoal {
+    double target = 0;  ///< relative RMS error
+    double z = 0;       ///< a run meets the target with the probability of a normal variable to be below z
+    bool least_bytes = false;  ///< bytes are to be few, else seconds
+    double budget_bytes = std::numeric_limits<double>::infinity();
+    double budget_seconds = std::numeric_limits<double>::infinity();
+    double max_hits = 0;
+};
+
+/// A candidate with the hits that it takes.
+struct Proposal {
+    std::size_t candidate = 0;
+    double hits = 0;
+    ErrorModel model;
+    FitCost cost;
+};
+
+/// What became of one kind of map.
+struct Choice {
+    bool reached = false;
+    std::string reason;  ///< why not; empty where it was
+    Proposal proposal;   ///< the choice; where the target is out of reach, what comes nearest to it
+};
+
+/// What is known when one chooses, in the candidates' order.
+struct Knowledge {
+    std::span<const Candidate> candidates;
+    const SelfEstimates& estimates;
+    std::span<const std::optional<PilotCost>> costs;
+    const MethodSettings& settings;
+    std::size_t max_bytes;  ///< that a method may need while it is made
+};
+
+/// Those that reach the target whatever they cost, the least cost first; equal costs in the candidates'
+/// order.
+[[nodiscard]] std::vector<Proposal> proposals(const Knowledge& known, const FitGoal& goal, bool light_maps);
+
+[[nodiscard]] Choice choose(const Knowledge& known, const FitGoal& goal, bool light_maps);
+
+}  // namespace bench::fit

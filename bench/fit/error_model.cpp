@@ -1,0 +1,29 @@
+#include "bench/fit/error_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bench::fit {
+
+double ErrorModel::deviation(double hits) const {
+    const double x = pilot_hits / hits;
+    return std::sqrt(bias_variance + (2 * x * x + std::max(2 * x, 2 * x * x)) * spread_variance);
+}
+
+std::optional<double> hits_for(const ErrorModel& model, double target, double z) {
+    constexpr double fewest = 1, most = 1e18;
+    const auto meets = [&](double hits) {
+        return model.error_sq(hits) + z * model.deviation(hits) <= target * target;
+    };
+    if (!meets(most)) return std::nullopt;
+    if (meets(fewest)) return fewest;
+    // Both parts fall with more hits.
+    double low = std::log(fewest), high = std::log(most);
+    for (int step = 0; step < 100; ++step) {
+        const double middle = 0.5 * (low + high);
+        (meets(std::exp(middle)) ? high : low) = middle;
+    }
+    return std::exp(high);
+}
+
+}  // namespace bench::fit

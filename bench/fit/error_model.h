@@ -1,0 +1,35 @@
+// A candidate's squared error as a function of its hits, and the hits that a target takes.
+#pragma once
+
+#include <optional>
+
+namespace bench::fit {
+
+/// Relative and squared, mean over points and channels.
+struct ErrorModel {
+    double pilot_hits = 0;       ///< of one half
+    double noise_sq = 0;         ///< variance of one half
+    double blur_sq = 0;          ///< does not fall with more hits
+    double truncation_sq = 0;    ///< neither does this; light maps only
+    double bias_variance = 0;    ///< of the estimate of blur_sq + truncation_sq over pilots
+    double spread_variance = 0;  ///< variance_about the best answer, of the candidate's own halves
+
+    [[nodiscard]] double bias_sq() const { return blur_sq + truncation_sq; }
+
+    /// Expected at so many hits.
+    [[nodiscard]] double error_sq(double hits) const { return bias_sq() + noise_sq * pilot_hits / hits; }
+
+    /// Standard deviation of (the squared error of one run with so many hits) less (error_sq of one pilot).
+    ///
+    /// With x = pilot_hits / hits, beta the bias and alpha the noise of one half, the parts are: the estimate
+    /// of the bias; x times that of the noise, mean w alpha^2; and the run's own 2 sqrt(x) beta alpha + x
+    /// alpha^2. The candidate's spread_variance S is 2 Var(mean w beta alpha) + Var(mean w alpha^2) / 2, so
+    /// these are at most 2 x^2 S, and max(2 x, 2 x^2) S.
+    [[nodiscard]] double deviation(double hits) const;
+};
+
+/// The fewest hits with which error_sq + z deviation is at most the target's square: a run then meets the
+/// target with the probability of a normal variable to be below z. None where no number of hits does.
+[[nodiscard]] std::optional<double> hits_for(const ErrorModel& model, double target, double z);
+
+}  // namespace bench::fit

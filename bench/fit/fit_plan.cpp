@@ -1,0 +1,86 @@
+#include "bench/fit/fit_plan.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "bench/app/memory_need.h"
+#include "bench/app/output_folder.h"
+#include "bench/fit/search.h"
+#include "bench/stability/significance.h"
+#include "common/core/input_error.h"
+
+namespace bench {
+namespace {
+
+constexpr double confidence = 0.9;  // of ten runs nine meet the target
+constexpr std::size_t most_seeds = 1000;
+
+fit::FitGoal goal_of(const FitOptions& options) {
+    fit::FitGoal goal{.target = parse_percentage("--target", options.target),
+                      .z = z_for(2 * (1 - confidence)),
+                      .max_hits = static_cast<double>(parse_count("--max-hits", options.max_hits))};
+    if (options.least != "time" && options.least != "bytes")
+        throw common::InputError(fmt::format("--least: '{}' is neither time nor bytes", options.least));
+    goal.least_bytes = options.least == "bytes";
+    if (!options.budget_bytes.empty())
+        goal.budget_bytes = static_cast<double>(parse_bytes("--budget-bytes", options.budget_bytes));
+    if (!options.budget_time.empty()) goal.budget_seconds = parse_seconds("--time", options.budget_time);
+    return goal;
+}
+
+}  // namespace
+
+void FitOptions::add_to(CLI::App& command) {
+    command.add_option("SCENE", file, "glTF 2.0 file, .gltf or .glb");
+    command.add_option("--target", target, "The error to reach, relative RMS, such as 5%");
+    command.add_option("--least", least, "What is to be as little as can be: time or bytes")
+        ->capture_default_str();
+    command.add_option("--budget-bytes", budget_bytes, "Finished maps must be no larger, such as 100MiB");
+    command.add_option("--time", budget_time, "Runs must be no longer, such as 30s");
+    command.add_option("--max-hits", max_hits, "Runs must have no more hits")->capture_default_str();
+    command.add_option("--pilot", pilot, "Hits of each of the two halves of the pilot, at most")
+        ->capture_default_str();
+    command.add_option("--max-memory", max_memory,
+                       "Methods that would need more are not considered; default: 9/10 of what is free");
+    command.add_option("--verify", verify,
+                       "A reference of the scene: then trace what was chosen and measure its error");
+    command.add_option("--seeds", seeds, "Runs of each verification, other seeds than the pilot's")
+        ->capture_default_str();
+    command.add_option("--out", out, "Folder for fit.json and fit.md");
+    command.add_flag("--json", json, "Print JSON");
+    command.add_flag("--list", list,
+                     "Print the methods of the grid, for shlmbench study, and do nothing else");
+    scene.add_to(command);
+    run.add_to(command);
+}
+
+FitPlan make_plan(const FitOptions& options) {
+    if (options.file.empty()) throw common::InputError("fit: which SCENE?");
+    if (options.target.empty())
+        throw common::InputError("--target: which error is to be reached, such as 5%?");
+    FitPlan plan{.file = options.file,
+                 .goal = goal_of(options),
+                 .pilot_hits = parse_count("--pilot", options.pilot),
+                 .max_bytes = options.max_memory.empty() ? default_max_bytes()
+                                                         : parse_bytes("--max-memory", options.max_memory),
+                 .reference = {},
+                 .seeds = options.seeds,
+                 .out = {},
+                 .scene = options.scene,
+                 .settings = {},
+                 .seed = options.run.seed,
+                 .threads = options.run.thread_count()};
+    if (plan.pilot_hits < fit::fewest_pilot_hits)
+        throw common::InputError(fmt::format("--pilot: at least {}", fit::fewest_pilot_hits));
+    if (plan.seeds < 1 || plan.seeds > most_seeds)
+        throw common::InputError(fmt::format("--seeds: from 1 to {}", most_seeds));
+    if (!options.verify.empty()) plan.reference = options.verify;
+    if (!options.out.empty()) {
+        plan.out = options.out;
+        prepare_output_folder("--out", *plan.out);
+    }
+    return plan;
+}
+
+}  // namespace bench

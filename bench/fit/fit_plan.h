@@ -1,0 +1,46 @@
+// What a fit is asked to do, checked.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "bench/app/run_options.h"
+#include "bench/app/scene_options.h"
+#include "bench/fit/choice.h"
+
+namespace CLI {
+class App;
+}
+
+namespace bench {
+
+struct FitOptions {
+    std::string file, target, least = "time", budget_bytes, budget_time, max_hits = "1e9", pilot = "8e6";
+    std::string max_memory, verify, out;
+    std::size_t seeds = 3;
+    bool json = false, list = false;
+    SceneOptions scene;
+    RunOptions run;
+
+    void add_to(CLI::App& command);
+};
+
+struct FitPlan {
+    std::string file;
+    fit::FitGoal goal;
+    std::uint64_t pilot_hits;  ///< of each half, at most
+    std::size_t max_bytes;
+    std::optional<std::filesystem::path> reference;  ///< to verify with
+    std::size_t seeds;                               ///< runs of each verification
+    std::optional<std::filesystem::path> out;        ///< exists and can be written to
+    SceneOptions scene;
+    MethodSettings settings;
+    std::uint64_t seed;
+    int threads;
+};
+
+/// Throws InputError for the first option that makes no sense; makes the output folder.
+[[nodiscard]] FitPlan make_plan(const FitOptions& options);
+
+}  // namespace bench

@@ -1,0 +1,145 @@
+#include "bench/fit/search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/core/input_error.h"
+
+namespace bench::fit {
+namespace {
+
+constexpr std::uint64_t growth = 4, first_share = 64;
+constexpr double enough = 1.1;       // a candidate's hits are known to a tenth
+constexpr double most_doubt = 0.15;  // margin of a choice, in squares of the target
+constexpr double worth_it = 1.2;     // the choice might cost so much less if there were no doubt
+
+struct State {
+    const PilotSubject& subject;
+    const FitGoal& goal;
+    std::vector<Candidate> candidates = all_candidates();
+    std::vector<PilotSample> samples = std::vector<PilotSample>(candidates.size());
+    FitResult result = {};
+};
+
+Knowledge knowledge_of(const State& state) {
+    return {state.candidates, state.result.estimates, state.result.costs, state.subject.prepared.settings(),
+            state.subject.max_bytes};
+}
+
+double price_of(const FitGoal& goal, const FitCost& cost) {
+    return goal.least_bytes ? cost.bytes : cost.seconds;
+}
+
+/// What the candidate would cost at the very best: no bias beyond what is certain, no allowance for chance.
+double least_price(const State& state, std::size_t i) {
+    const ErrorModel& model = *state.result.estimates.model[i];
+    const double certain_bias_sq =
+        state.result.estimates.measured[i]
+            ? std::max(0.0, model.bias_sq() - state.goal.z * std::sqrt(model.bias_variance))
+            : 0.0;
+    const double left = state.goal.target * state.goal.target - certain_bias_sq;
+    if (left <= 0) return std::numeric_limits<double>::infinity();
+    return price_of(state.goal, cost_at(state.candidates[i], *state.result.costs[i],
+                                        model.noise_sq * model.pilot_hits / left));
+}
+
+/// Whether its hits would hardly change if there were no doubt about them.
+bool is_settled(const State& state, std::size_t i) {
+    const ErrorModel& model = *state.result.estimates.model[i];
+    const auto doubtful = hits_for(model, state.goal.target, state.goal.z);
+    const auto certain = hits_for(model, state.goal.target, 0);
+    return doubtful && certain && *doubtful < enough * *certain;
+}
+
+/// The finest maps that there are, by which all others are measured.
+bool is_measure(const State& state, std::size_t i) {
+    const Candidate& candidate = state.candidates[i];
+    const Candidate& finest = state.candidates[state.result.estimates.finest.candidate];
+    return candidate.is_light_map() && candidate.basis == finest_basis() &&
+           candidate.value >= finest.value / 4;
+}
+
+bool is_worth_tracing(const State& state, std::size_t i) {
+    if (is_measure(state, i)) return true;
+    if (!state.result.estimates.model[i] || !state.result.costs[i]) return true;
+    const Choice& choice =
+        state.candidates[i].is_light_map() ? state.result.light_map : state.result.photon_map;
+    const double best =
+        choice.reached ? price_of(state.goal, choice.proposal.cost) : std::numeric_limits<double>::infinity();
+    const double least = least_price(state, i);
+    return std::isfinite(least) && least <= best && !is_settled(state, i);
+}
+
+std::vector<std::size_t> to_trace(const State& state, std::uint64_t hits, bool first) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < state.candidates.size(); ++i)
+        if (is_measurable(state.candidates[i], hits) && (first || is_worth_tracing(state, i)))
+            chosen.push_back(i);
+    return chosen;
+}
+
+/// Whether knowing more could save little, or nothing can be saved.
+bool is_decided(const State& state, const Choice& choice, bool light_maps) {
+    for (std::size_t i = 0; i < state.candidates.size(); ++i) {
+        if (state.candidates[i].is_light_map() != light_maps || !state.result.estimates.model[i]) continue;
+        const double least = least_price(state, i);
+        if (!std::isfinite(least)) continue;
+        if (!choice.reached || least * worth_it < price_of(state.goal, choice.proposal.cost)) return false;
+    }
+    return true;
+}
+
+/// Whether chance has little to say in it. With more doubt the least of many estimates is one that chance has
+/// flattered, and no margin for each alone makes up for that.
+bool is_sure(const FitGoal& goal, const Choice& choice) {
+    return !choice.reached || goal.z * choice.proposal.model.deviation(choice.proposal.hits) <=
+                                  most_doubt * goal.target * goal.target;
+}
+
+/// Whether the next pilot would be larger than the runs it is about.
+bool is_dearer_than_runs(const State& state, std::uint64_t next_hits) {
+    const Choice &light_map = state.result.light_map, &photon_map = state.result.photon_map;
+    return light_map.reached && photon_map.reached &&
+           2 * static_cast<double>(next_hits) > light_map.proposal.hits + photon_map.proposal.hits;
+}
+
+/// Chooses anew from all samples. False where the pilot was too small for that.
+bool choose_both(State& state) {
+    auto estimates = estimate_errors(state.candidates, state.samples, state.subject.points, state.goal.z);
+    if (!estimates) return false;
+    state.result.estimates = std::move(*estimates);
+    state.result.costs = costs_of(state.candidates, state.samples);
+    state.result.light_map = choose(knowledge_of(state), state.goal, true);
+    state.result.photon_map = choose(knowledge_of(state), state.goal, false);
+    return true;
+}
+
+}  // namespace
+
+FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchLimits& limits) {
+    State state{subject, goal};
+    const common::Stopwatch watch;
+    bool known = false;
+    for (std::uint64_t hits =
+             std::max(std::min(limits.pilot_hits, fewest_pilot_hits), limits.pilot_hits / first_share);
+         hits <= limits.pilot_hits; hits *= growth) {
+        run_pilot(subject, state.candidates, to_trace(state, hits, !known), hits, state.samples);
+        state.result.pilot_hits = hits;
+        known = choose_both(state);
+        if (!known || !is_sure(goal, state.result.light_map) || !is_sure(goal, state.result.photon_map))
+            continue;
+        if (is_dearer_than_runs(state, hits * growth) || (is_decided(state, state.result.light_map, true) &&
+                                                          is_decided(state, state.result.photon_map, false)))
+            break;
+    }
+    if (!known)
+        throw common::InputError(
+            "--pilot: too few hits to tell the blur of any light map; take more, or free memory");
+    state.result.light_maps = proposals(knowledge_of(state), goal, true);
+    state.result.photon_maps = proposals(knowledge_of(state), goal, false);
+    state.result.pilot_seconds = watch.seconds();
+    state.result.candidates = std::move(state.candidates);
+    return std::move(state.result);
+}
+
+}  // namespace bench::fit

@@ -1,0 +1,33 @@
+// Pilots that grow until it is clear what to choose.
+#pragma once
+
+#include "bench/fit/choice.h"
+
+namespace bench::fit {
+
+/// Of each half of the first pilot: with less there are not two sizes of texels to compare.
+inline constexpr std::uint64_t fewest_pilot_hits = 25'000;
+
+struct SearchLimits {
+    std::uint64_t pilot_hits = 0;  ///< of each half of the last pilot, at most
+};
+
+/// All that a fit has found out.
+struct FitResult {
+    std::vector<Candidate> candidates;
+    SelfEstimates estimates;
+    std::vector<std::optional<PilotCost>> costs;  ///< in the candidates' order
+    Choice light_map, photon_map;
+    std::vector<Proposal> light_maps, photon_maps;  ///< all that reach the target, the least cost first
+    std::uint64_t pilot_hits = 0;                   ///< of each half of the largest pilot that was traced
+    double pilot_seconds = 0;                       ///< wall time of all pilots
+};
+
+/// Begins with 1/64 of the largest pilot, fewest_pilot_hits at least, and takes four times as much until the
+/// choices owe little to chance and either knowing more could hardly save anything or the next pilot would
+/// have more hits than the two chosen runs; at most to the largest. Candidates that cannot be chosen any
+/// more, or of which enough is known, are not traced again. Throws Interrupted, and InputError where the
+/// camera sees nothing or it is dark there.
+[[nodiscard]] FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchLimits& limits);
+
+}  // namespace bench::fit

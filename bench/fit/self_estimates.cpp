@@ -1,0 +1,159 @@
+#include "bench/fit/self_estimates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "bench/fit/carry_on.h"
+
+namespace bench::fit {
+namespace {
+
+using Candidates = std::span<const Candidate>;
+using Samples = std::span<const PilotSample>;
+
+constexpr double z_of_finest = 2;
+
+/// Irradiance by normal of light with harmonics of equal strength in all bands has the power
+/// (2 l + 1) A_l^2 in band l, A_l the cosine's coefficient (Ramamoorthi and Hanrahan 2001): what bands 6, 8,
+/// ... have together is this share of band 4. Odd bands beyond 1 have none.
+constexpr double bands_beyond_last = 0.32;
+
+std::optional<std::size_t> find_light_map(Candidates candidates, Samples samples, const std::string& basis,
+                                          const std::string& gather, double texels) {
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+        if (candidates[i].is_light_map() && candidates[i].basis == basis && candidates[i].gather == gather &&
+            candidates[i].value == texels && samples[i].present())
+            return i;
+    return std::nullopt;
+}
+
+/// 2 fine - coarse, by halves.
+Halves extrapolated(const Halves& fine, const Halves& coarse) {
+    const auto extrapolate = [](const std::vector<common::Rgb>& f, const std::vector<common::Rgb>& c) {
+        std::vector<common::Rgb> result(f.size());
+        for (std::size_t i = 0; i < f.size(); ++i) result[i] = 2.0f * f[i] - c[i];
+        return result;
+    };
+    return {extrapolate(fine.a, coarse.a), extrapolate(fine.b, coarse.b)};
+}
+
+/// What a map blurs, as far as coarser ones tell: half of what the next coarser one does. Its own estimate
+/// would favour the map that chance has flattered. Its own where there is no other.
+double expected_blur_sq(const Candidate& fine, std::size_t quarter, const SquareEstimate& own,
+                        Candidates candidates, Samples samples, const Measure& measure) {
+    const auto sixteenth = find_light_map(candidates, samples, fine.basis, fine.gather, fine.value / 16);
+    if (!sixteenth) return std::max(0.0, own.value);
+    return 0.5 *
+           std::max(0.0,
+                    squared_difference(samples[*sixteenth].halves, samples[quarter].halves, measure).value);
+}
+
+/// Of all maps of the finest basis the one whose blur is the least for sure: with more texels there is less
+/// blur and more noise to hide it.
+std::optional<Finest> find_finest(Candidates candidates, Samples samples, const Measure& measure) {
+    std::optional<Finest> finest;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate& fine = candidates[i];
+        if (!fine.is_light_map() || fine.basis != finest_basis() || !samples[i].present()) continue;
+        const auto quarter = find_light_map(candidates, samples, fine.basis, fine.gather, fine.value / 4);
+        if (!quarter) continue;
+        const SquareEstimate blur_sq =
+            squared_difference(samples[*quarter].halves, samples[i].halves, measure);
+        const double upper = expected_blur_sq(fine, *quarter, blur_sq, candidates, samples, measure) +
+                             z_of_finest * blur_sq.standard_error();
+        if (upper >= least) continue;
+        least = upper;
+        finest = {i, *quarter, {}, blur_sq, {}};
+    }
+    if (!finest) return finest;
+    finest->truth = extrapolated(samples[finest->candidate].halves, samples[finest->quarter].halves);
+    const Candidate& fine = candidates[finest->candidate];
+    if (const auto below = find_light_map(candidates, samples, basis_below_finest(), fine.gather, fine.value))
+        finest->truncation_sq =
+            squared_difference(samples[*below].halves, samples[finest->candidate].halves, measure)
+                .scaled(bands_beyond_last);
+    return finest;
+}
+
+double truncation_sq(std::size_t i, Candidates candidates, Samples samples, const Finest& finest,
+                     const Measure& measure) {
+    if (!candidates[i].is_light_map()) return 0;
+    const auto whole =
+        find_light_map(candidates, samples, finest_basis(), candidates[i].gather, candidates[i].value);
+    if (!whole) return 0;
+    return std::max(0.0, squared_difference(samples[i].halves, samples[*whole].halves, measure).value) +
+           std::max(0.0, finest.truncation_sq.value);
+}
+
+ErrorModel model_of(std::size_t i, Candidates candidates, Samples samples, const Finest& finest,
+                    std::span<const common::Rgb> best, const Measure& measure) {
+    SquareEstimate bias_sq = squared_difference(samples[i].halves, finest.truth, measure);
+    bias_sq += finest.truncation_sq;
+    const double known = std::max(0.0, bias_sq.value);
+    const double truncation = std::min(known, truncation_sq(i, candidates, samples, finest, measure));
+    return {.pilot_hits = samples[i].cost.hits,
+            .noise_sq = noise_sq(samples[i].halves, measure),
+            .blur_sq = known - truncation,
+            .truncation_sq = truncation,
+            .bias_variance = bias_sq.variance(),
+            .spread_variance = variance_about(samples[i].halves, best, measure)};
+}
+
+std::optional<SelfEstimates> estimate_by(Candidates candidates, Samples samples, const Measure& measure,
+                                         std::span<const common::Rgb> best_answers) {
+    const auto finest = find_finest(candidates, samples, measure);
+    if (!finest) return std::nullopt;
+    SelfEstimates estimates;
+    estimates.finest = *finest;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        estimates.measured.push_back(samples[i].present());
+        estimates.model.emplace_back();
+        if (!samples[i].present()) continue;
+        const ErrorModel model = model_of(i, candidates, samples, *finest, best_answers, measure);
+        estimates.model.back() = model;
+        const double upper = model.bias_sq() + model.noise_sq / 2 + std::sqrt(model.bias_variance);
+        if (upper >= least) continue;
+        least = upper;
+        estimates.best = i;
+    }
+    estimates.best_answers = mean_of(samples[estimates.best].halves);
+    return estimates;
+}
+
+/// A photon map of about 64 nearest: nowhere far off, whatever the light is like.
+std::optional<std::size_t> first_guess(Candidates candidates, Samples samples) {
+    constexpr double usual = 64;
+    std::optional<std::size_t> guess;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (candidates[i].kind != CandidateKind::photon_share || !samples[i].present()) continue;
+        const double away = std::abs(std::log(candidates[i].value * samples[i].cost.hits / usual));
+        if (away >= least) continue;
+        least = away;
+        guess = i;
+    }
+    return guess;
+}
+
+}  // namespace
+
+std::optional<SelfEstimates> estimate_errors(Candidates candidates, Samples samples, const FitPoints& points,
+                                             double z) {
+    const auto guess = first_guess(candidates, samples);
+    if (!guess) return std::nullopt;
+    std::vector<common::Rgb> best = mean_of(samples[*guess].halves);
+    std::optional<SelfEstimates> estimates;
+    for (int pass = 0; pass < 2; ++pass) {
+        estimates = estimate_by(candidates, samples, Measure(best, points.tile, points.tiles), best);
+        if (!estimates) return estimates;
+        best = estimates->best_answers;
+    }
+    carry_on(candidates, z, estimates->model);
+    return estimates;
+}
+
+}  // namespace bench::fit

@@ -1,0 +1,52 @@
+#include "bench/fit/verify.h"
+
+#include <fmt/format.h>
+
+#include "bench/app/ending.h"
+#include "bench/study/study_store.h"
+#include "common/core/interrupt.h"
+#include "common/core/progress.h"
+#include "common/difference/error_metrics.h"
+
+namespace bench::fit {
+namespace {
+
+void stop_if_interrupted() {
+    if (common::interrupted()) throw Interrupted("fit stopped: nothing is written");
+}
+
+VerifiedRun run_once(const Method& method, std::uint64_t hits, std::uint64_t seed, StudyScene& scene) {
+    std::vector<StudyStore> stores;
+    stores.emplace_back(MethodGroup{method}, scene.prepared(), scene.source());
+    StudySink sink(stores);
+    common::Progress progress(fmt::format("{} seed {}", method.name, seed), "hits", hits);
+    const auto trace = common::trace_photons(scene.loaded().rays, scene.source(), seed, {.hits = hits}, sink,
+                                             [&](const common::TraceReport& so_far) {
+                                                 progress.show(so_far.hits);
+                                                 return !common::interrupted();
+                                             });
+    stop_if_interrupted();
+    VerifiedRun run{.seed = seed, .hits = trace.hits, .error = 0, .seconds = 0, .bytes = 0};
+    const double insert_seconds = stores.front().insert_seconds();
+    stores.front().finish(trace, [&](const StudyMap& map) {
+        const common::Stopwatch gather;
+        const std::vector<common::Rgb> answers = ask(map, scene.points());
+        run.seconds = trace.trace_seconds + insert_seconds + map.build_seconds + gather.seconds();
+        run.bytes = map.bytes;
+        run.error = common::difference(answers, scene.truth()).relative_rms;
+    });
+    stop_if_interrupted();
+    return run;
+}
+
+}  // namespace
+
+std::vector<VerifiedRun> verify(const Candidate& candidate, std::uint64_t hits, std::uint64_t pilot_seed,
+                                std::size_t seeds, StudyScene& scene) {
+    const Method method = parse_method("fit", candidate.name(hits));
+    std::vector<VerifiedRun> runs;
+    for (std::size_t i = 1; i <= seeds; ++i) runs.push_back(run_once(method, hits, pilot_seed + i, scene));
+    return runs;
+}
+
+}  // namespace bench::fit

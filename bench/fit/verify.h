@@ -1,0 +1,24 @@
+// What a chosen setting really does: traced anew with other seeds and held against a reference.
+#pragma once
+
+#include <vector>
+
+#include "bench/fit/candidates.h"
+#include "bench/study/study_scene.h"
+
+namespace bench::fit {
+
+/// One run. Times are wall time of all threads.
+struct VerifiedRun {
+    std::uint64_t seed = 0;
+    std::uint64_t hits = 0;
+    double error = 0;    ///< relative RMS, the reference's own error included
+    double seconds = 0;  ///< trace, insertion, index and all answers
+    std::size_t bytes = 0;
+};
+
+/// Runs with the seeds after the pilot's. Throws Interrupted.
+[[nodiscard]] std::vector<VerifiedRun> verify(const Candidate& candidate, std::uint64_t hits,
+                                              std::uint64_t pilot_seed, std::size_t seeds, StudyScene& scene);
+
+}  // namespace bench::fit

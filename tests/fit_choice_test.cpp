@@ -1,0 +1,170 @@
+// What is chosen when errors and costs are known, and what is said where nothing can be.
+#include <gtest/gtest.h>
+
+#include "bench/fit/choice.h"
+
+namespace {
+
+using namespace bench;
+using namespace bench::fit;
+
+/// Two light maps and two photon maps of known errors and costs, pilot of a million hits.
+class FitChoice : public testing::Test {
+  protected:
+    std::vector<Candidate> candidates = {{CandidateKind::light_map, "L2/radiance", "own", 1024},
+                                         {CandidateKind::light_map, "L2/radiance", "own", 4096},
+                                         {CandidateKind::photon_radius, "disc", "r", 0.01},
+                                         {CandidateKind::photon_share, "disc", "k", 1e-6}};
+    SelfEstimates estimates;
+    std::vector<std::optional<PilotCost>> costs;
+    MethodSettings settings;
+    FitGoal goal{.target = 0.05, .z = 0, .max_hits = 1e9};
+
+    FitChoice() {
+        // 0.05^2 = 0.0025: 1.25e6 hits, 4e6 hits, 1.6e7 hits, 4e6 hits (k = 8 takes twice as many)
+        add({.pilot_hits = 1e6, .noise_sq = 0.00125, .blur_sq = 0.0015}, 1, 1e5);
+        add({.pilot_hits = 1e6, .noise_sq = 0.008, .blur_sq = 0.0005}, 1.5, 4e5);
+        add({.pilot_hits = 1e6, .noise_sq = 0.032, .blur_sq = 0.0005}, 2, 23e6);
+        add({.pilot_hits = 1e6, .noise_sq = 0.01}, 3, 23e6);
+    }
+
+    void add(const ErrorModel& model, double seconds, double bytes) {
+        estimates.model.emplace_back(model);
+        estimates.measured.push_back(true);
+        costs.push_back(PilotCost{.hits = 1e6, .trace_seconds = seconds, .bytes = bytes});
+    }
+
+    [[nodiscard]] Knowledge known() const {
+        return {candidates, estimates, costs, settings, std::size_t{1} << 40};
+    }
+    [[nodiscard]] Choice light_map() const { return choose(known(), goal, true); }
+    [[nodiscard]] Choice photon_map() const { return choose(known(), goal, false); }
+};
+
+TEST_F(FitChoice, TakesTheLeastTime) {
+    const Choice choice = light_map();
+    ASSERT_TRUE(choice.reached) << choice.reason;
+    EXPECT_EQ(choice.proposal.candidate, 0u);
+    EXPECT_NEAR(choice.proposal.hits, 1.25e6, 2);
+    EXPECT_NEAR(choice.proposal.cost.seconds, 1.25, 1e-5);
+    EXPECT_EQ(choice.proposal.cost.bytes, 1e5) << "a light map's do not grow";
+    EXPECT_EQ(choice.reason, "");
+}
+
+TEST_F(FitChoice, PhotonMapsGrowAndSharesTakeEightPhotons) {
+    ASSERT_TRUE(photon_map().reached);
+    const Proposal chosen = photon_map().proposal;
+    EXPECT_EQ(chosen.candidate, 3u);
+    EXPECT_NEAR(chosen.hits, 8e6, 2);
+    EXPECT_NEAR(chosen.cost.bytes, 8 * 23e6, 100);
+    EXPECT_EQ(candidates[3].name(8'000'000), "photonmap/compact/k8/disc");
+}
+
+TEST_F(FitChoice, TakesTheFewestBytes) {
+    goal.least_bytes = true;
+    goal.target = 0.03;  // 0.0009: the first light map blurs too much
+    EXPECT_EQ(light_map().proposal.candidate, 1u);
+    goal.target = 0.05;
+    EXPECT_EQ(photon_map().proposal.candidate, 3u);
+}
+
+TEST_F(FitChoice, KeepsWithinBudgets) {
+    goal.budget_seconds = 30;
+    ASSERT_TRUE(photon_map().reached);
+    goal.budget_seconds = 20;
+    EXPECT_FALSE(photon_map().reached);
+    EXPECT_NE(photon_map().reason.find("--time is 20 s"), std::string::npos) << photon_map().reason;
+    goal.budget_bytes = 50e6;
+    goal.budget_seconds = 1e9;
+    EXPECT_TRUE(light_map().reached);
+    EXPECT_NE(photon_map().reason.find("--budget-bytes is 5e+07"), std::string::npos) << photon_map().reason;
+}
+
+TEST_F(FitChoice, SaysHowManyHitsItWouldTake) {
+    goal.max_hits = 1e6;
+    EXPECT_FALSE(light_map().reached);
+    EXPECT_NE(light_map().reason.find("shlm/L2/radiance/own/t1024/h0 takes 1.25e+06 hits, and --max-hits is "
+                                      "1e+06"),
+              std::string::npos)
+        << light_map().reason;
+}
+
+TEST_F(FitChoice, TakesTheNextBestWhereTheBestIsBeyondABudget) {
+    goal.least_bytes = true;
+    goal.budget_seconds = 20;  // the share of 24 s is out, and the radius of 32 s too
+    EXPECT_FALSE(photon_map().reached);
+    goal.budget_bytes = 2e5;
+    goal.budget_seconds = 1e9;
+    EXPECT_EQ(light_map().proposal.candidate, 0u);
+}
+
+TEST_F(FitChoice, SaysWhichBiasForbidsTheTarget) {
+    goal.target = 0.02;
+    const Choice choice = light_map();
+    EXPECT_FALSE(choice.reached);
+    EXPECT_EQ(choice.proposal.candidate, 1u) << "comes nearest";
+    EXPECT_NE(
+        choice.reason.find("2 % is below the bias of shlm/L2/radiance/own/t4096/h0, 2.24 % (blur 2.24 %, "
+                           "truncation 0 %)"),
+        std::string::npos)
+        << choice.reason;
+    EXPECT_NE(choice.reason.find("no setting of the grid reaches it"), std::string::npos);
+    EXPECT_TRUE(photon_map().reached) << "the share has no blur";
+}
+
+TEST_F(FitChoice, SaysWhenItCannotTell) {
+    goal.target = 0.03;
+    goal.z = 1;
+    estimates.model[0]->bias_variance = estimates.model[1]->bias_variance = 1e-6;  // 0.001 beside 0.0005
+    const Choice choice = light_map();
+    EXPECT_FALSE(choice.reached);
+    EXPECT_NE(choice.reason.find("a larger --pilot"), std::string::npos) << choice.reason;
+}
+
+TEST_F(FitChoice, SaysWhenNothingWasMeasured) {
+    estimates.model.assign(4, std::nullopt);
+    EXPECT_EQ(light_map().reason, "no light map of the grid could be measured");
+    EXPECT_EQ(photon_map().reason, "no photon map of the grid could be measured");
+}
+
+TEST_F(FitChoice, LeavesOutWhatTheMemoryDoesNotHold) {
+    const Knowledge little{candidates, estimates, costs, settings, 100'000'000};
+    EXPECT_FALSE(choose(little, goal, false).reached);
+    EXPECT_TRUE(choose(little, goal, true).reached);
+}
+
+// The list of candidates.
+
+TEST(FitCandidates, HaveNamesThatAreReadAndStayTheSame) {
+    for (const Candidate& candidate : all_candidates()) {
+        const std::string name = candidate.name(4'000'000);
+        EXPECT_EQ(parse_method("test", name).name, name);
+    }
+    for (const std::string& name : grid_names()) EXPECT_EQ(parse_method("test", name).name, name);
+    EXPECT_EQ(parse_methods("test", grid_names()).size(), grid_names().size()) << "each once";
+}
+
+TEST(FitCandidates, GoFromCoarseToFineInEachChain) {
+    const std::vector<Candidate> all = all_candidates();
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (all[i].chain() == all[i - 1].chain()) {
+            EXPECT_LT(all[i].width(), all[i - 1].width()) << all[i].name(1'000'000);
+        }
+}
+
+TEST(FitCosts, AreCarriedOnToLightMapsThatWereNotMeasured) {
+    const std::vector<Candidate> candidates = {{CandidateKind::light_map, "L2/radiance", "own", 1024},
+                                               {CandidateKind::light_map, "L2/radiance", "own", 4096},
+                                               {CandidateKind::light_map, "L2/radiance", "knn4", 4096}};
+    std::vector<PilotSample> samples(3);
+    samples[0].halves.a = samples[0].halves.b = {common::Rgb(1)};
+    samples[0].cost = {.hits = 1e6, .trace_seconds = 1, .build_seconds = 0.5, .bytes = 1000};
+    const auto costs = costs_of(candidates, samples);
+    ASSERT_TRUE(costs[1]);
+    EXPECT_EQ(costs[1]->bytes, 4000);
+    EXPECT_EQ(costs[1]->build_seconds, 2);
+    EXPECT_EQ(costs[1]->trace_seconds, 1);
+    EXPECT_FALSE(costs[2]) << "another chain";
+}
+
+}  // namespace

@@ -1,0 +1,241 @@
+// What two halves say of bias and noise, on estimators whose bias and noise are known.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "bench/fit/carry_on.h"
+#include "bench/fit/self_estimate.h"
+#include "common/core/input_error.h"
+#include "tests/statistics.h"
+
+namespace {
+
+using namespace bench::fit;
+using common::Rgb;
+using tests::count_for;
+using tests::Sample;
+using tests::z_for;
+
+constexpr std::uint32_t tiles = 64, points_per_tile = 25, points = tiles * points_per_tile;
+constexpr double alpha = 1e-5;  // of a test to fail by accident
+
+/// By place: half of the points are ten times as bright as the others.
+float light_at(std::uint32_t i) {
+    return i % 2 == 0 ? 1.0f : 10.0f;
+}
+
+const std::vector<std::uint32_t>& tile_of_points() {
+    static const std::vector<std::uint32_t> tile = [] {
+        std::vector<std::uint32_t> all(points);
+        for (std::uint32_t i = 0; i < points; ++i) all[i] = i / points_per_tile;
+        return all;
+    }();
+    return tile;
+}
+
+Measure measure() {
+    std::vector<Rgb> light(points);
+    for (std::uint32_t i = 0; i < points; ++i) light[i] = Rgb(light_at(i));
+    return {light, tile_of_points(), tiles};
+}
+
+/// The expected weight: 1 / (R^2 + 0.01 (mean R)^2).
+double weight_at(std::uint32_t i) {
+    return 1 / (std::pow(light_at(i), 2) + 0.01 * 5.5 * 5.5);
+}
+
+/// Light plus a relative bias in the tiles that have one, and noise that neighbours share: as texels do.
+struct Synthetic {
+    double bias, noise;
+    std::uint32_t neighbours = 5;
+
+    [[nodiscard]] double bias_at(std::uint32_t i) const {
+        return tile_of_points()[i] % 8 == 0 ? bias * light_at(i) : 0;
+    }
+
+    [[nodiscard]] std::vector<Rgb> half(std::mt19937_64& random) const {
+        std::normal_distribution<double> normal;
+        std::vector<Rgb> answers(points);
+        double shared = 0;
+        for (std::uint32_t i = 0; i < points; ++i) {
+            if (i % neighbours == 0) shared = normal(random);
+            answers[i] = Rgb(static_cast<float>(light_at(i) * (1 + noise * shared) + bias_at(i)));
+        }
+        return answers;
+    }
+
+    [[nodiscard]] Halves halves(std::mt19937_64& random) const {
+        Halves both;
+        both.a = half(random);
+        both.b = half(random);
+        return both;
+    }
+
+    [[nodiscard]] double mean_sq(const std::function<double(std::uint32_t)>& of) const {
+        double sum = 0;
+        for (std::uint32_t i = 0; i < points; ++i) sum += weight_at(i) * std::pow(of(i), 2);
+        return sum / points;
+    }
+    [[nodiscard]] double bias_sq() const {
+        return mean_sq([&](std::uint32_t i) { return bias_at(i); });
+    }
+    [[nodiscard]] double variance() const {
+        return mean_sq([&](std::uint32_t i) { return noise * light_at(i); });
+    }
+};
+
+TEST(FitEstimate, FindsBiasAndNoiseWithoutBiasOfItsOwn) {
+    const Measure by = measure();
+    const Synthetic coarse{.bias = 0.2, .noise = 0.3}, fine{.bias = 0, .noise = 0.6, .neighbours = 1};
+    std::mt19937_64 random(1);
+    Sample bias_sq, variance;
+    for (std::uint64_t run = 0; run < count_for(1000, 100); ++run) {
+        const Halves halves = coarse.halves(random);
+        bias_sq.add(squared_difference(halves, fine.halves(random), by).value);
+        variance.add(noise_sq(halves, by));
+    }
+    const double z = z_for(alpha);
+    EXPECT_NEAR(bias_sq.mean(), coarse.bias_sq(), z * bias_sq.standard_error());
+    EXPECT_NEAR(variance.mean(), coarse.variance(), z * variance.standard_error());
+    EXPECT_LT(bias_sq.standard_error(), 0.1 * coarse.bias_sq()) << "else this says nothing";
+}
+
+// The spread that an estimate claims is the one it has, with bias in few tiles, with bias alone and without
+// any.
+
+TEST(FitEstimate, KnowsItsOwnSpread) {
+    const Measure by = measure();
+    const std::uint64_t runs = count_for(2000, 200);
+    std::mt19937_64 random(2);
+    for (const double bias : {0.0, 0.05, 0.5}) {
+        SCOPED_TRACE(bias);
+        const Synthetic coarse{.bias = bias, .noise = 0.3}, fine{.bias = 0, .noise = 0.2, .neighbours = 1};
+        Sample found, claimed;
+        for (std::uint64_t run = 0; run < runs; ++run) {
+            const SquareEstimate estimate =
+                squared_difference(coarse.halves(random), fine.halves(random), by);
+            found.add(estimate.value);
+            claimed.add(estimate.variance());
+        }
+        const double variance = std::pow(found.standard_error(), 2) * static_cast<double>(runs);
+        // Of a variance from n normal values: sqrt(2 / n) of it.
+        const double deviation =
+            std::hypot(variance * std::sqrt(2.0 / static_cast<double>(runs)), claimed.standard_error());
+        EXPECT_NEAR(claimed.mean(), variance, z_for(alpha) * deviation);
+    }
+}
+
+// deviation() bounds what a run's squared error differs from a pilot's estimate of it.
+
+TEST(FitEstimate, DeviationBoundsWhatRunsDifferFromEstimates) {
+    const Measure by = measure();
+    const Synthetic coarse{.bias = 0.3, .noise = 0.3}, fine{.bias = 0, .noise = 0.2, .neighbours = 1};
+    std::vector<Rgb> truth(points);
+    for (std::uint32_t i = 0; i < points; ++i) truth[i] = Rgb(light_at(i));
+    std::mt19937_64 random(3);
+    for (const double times : {0.25, 1.0, 16.0}) {  // hits of the run for each of the pilot's half
+        SCOPED_TRACE(times);
+        const Synthetic run_of{.bias = coarse.bias, .noise = coarse.noise / std::sqrt(times)};
+        Sample difference, claimed;
+        for (std::uint64_t run = 0; run < count_for(1000, 100); ++run) {
+            const Halves halves = coarse.halves(random);
+            const SquareEstimate bias_sq = squared_difference(halves, fine.halves(random), by);
+            const ErrorModel model{.pilot_hits = 1000,
+                                   .noise_sq = noise_sq(halves, by),
+                                   .blur_sq = std::max(0.0, bias_sq.value),
+                                   .truncation_sq = 0,
+                                   .bias_variance = bias_sq.variance(),
+                                   .spread_variance = variance_about(halves, truth, by)};
+            const std::vector<Rgb> answers = run_of.half(random);
+            double error_sq = 0;
+            for (std::uint32_t i = 0; i < points; ++i)
+                error_sq += weight_at(i) * std::pow(answers[i].x - light_at(i), 2) / points;
+            difference.add(error_sq - model.error_sq(1000 * times));
+            claimed.add(model.deviation(1000 * times));
+        }
+        const double found = difference.standard_error() * std::sqrt(static_cast<double>(difference.count()));
+        EXPECT_NEAR(difference.mean(), 0, z_for(alpha) * difference.standard_error());
+        EXPECT_LT(found, 1.1 * claimed.mean());
+        EXPECT_GT(found, 0.5 * claimed.mean()) << "an idle bound costs hits";
+    }
+}
+
+TEST(FitEstimate, AddsAndScalesEstimates) {
+    SquareEstimate sum{.value = 1, .tile_difference = {1, -2}};
+    sum += SquareEstimate{.value = 2, .tile_difference = {2, 2}}.scaled(0.5);
+    EXPECT_EQ(sum.value, 2);
+    EXPECT_EQ(sum.tile_difference, (std::vector<double>{2, -1}));
+    EXPECT_EQ(sum.variance(), 5);
+    sum += {};
+    EXPECT_EQ(sum.variance(), 5);
+}
+
+TEST(FitEstimate, RefusesToBeRelativeToNothing) {
+    const std::vector<Rgb> black(points, Rgb(0));
+    EXPECT_THROW(Measure(black, tile_of_points(), tiles), common::InputError);
+}
+
+// Hits for a target.
+
+TEST(FitHits, SolveTheModel) {
+    const ErrorModel model{.pilot_hits = 1e6, .noise_sq = 0.04, .blur_sq = 0.0004, .truncation_sq = 0.0005};
+    // 0.05^2 = 0.0009 + 0.04 * 1e6 / N
+    EXPECT_NEAR(hits_for(model, 0.05, 2).value(), 0.04e6 / (0.0025 - 0.0009), 1);
+    EXPECT_FALSE(hits_for(model, 0.03, 0)) << "the bias alone is 0.03";
+    EXPECT_TRUE(hits_for(model, 0.0301, 0));
+}
+
+TEST(FitHits, DoubtTakesMoreOrForbids) {
+    ErrorModel model{.pilot_hits = 1e6, .noise_sq = 0.04, .blur_sq = 0.0009};
+    const double certain = hits_for(model, 0.05, 1).value();
+    model.spread_variance = 1e-8;
+    const double spread = hits_for(model, 0.05, 1).value();
+    EXPECT_GT(spread, certain);
+    EXPECT_NEAR(model.error_sq(spread) + model.deviation(spread), 0.0025, 1e-9);
+    EXPECT_NEAR(hits_for(model, 0.05, 0).value(), certain, 1e-3 * certain);
+    model.bias_variance = std::pow(0.0016, 2);
+    EXPECT_FALSE(hits_for(model, 0.05, 1.01));
+    EXPECT_TRUE(hits_for(model, 0.05, 0.9));
+}
+
+// Along a chain.
+
+TEST(FitChain, FinerMapsBlurLessAndAreNoisier) {
+    const ErrorModel coarse{.pilot_hits = 1e6, .noise_sq = 0.01, .blur_sq = 0.02, .truncation_sq = 0.003};
+    const ErrorModel fine = carried_on(coarse, 1.0 / 32, 1.0 / 64);
+    EXPECT_DOUBLE_EQ(fine.noise_sq, 0.04);
+    EXPECT_DOUBLE_EQ(fine.blur_sq, 0.01);
+    EXPECT_DOUBLE_EQ(fine.truncation_sq, 0.003);
+    EXPECT_EQ(fine.pilot_hits, 1e6);
+}
+
+/// Four candidates of one chain, two of another.
+std::vector<Candidate> two_chains() {
+    std::vector<Candidate> all;
+    for (const double texels : {1024.0, 4096.0, 16384.0, 65536.0})
+        all.push_back({CandidateKind::light_map, "L2/radiance", "own", texels});
+    for (const double texels : {1024.0, 4096.0})
+        all.push_back({CandidateKind::light_map, "L2/radiance", "knn4", texels});
+    return all;
+}
+
+TEST(FitChain, TakesTheLeastUpperBound) {
+    const std::vector<Candidate> candidates = two_chains();
+    std::vector<std::optional<ErrorModel>> model(candidates.size());
+    model[0] = {.pilot_hits = 1e5, .noise_sq = 0.1, .blur_sq = 0.08, .bias_variance = 1e-8};
+    model[1] = {.pilot_hits = 1e5, .noise_sq = 0.3, .blur_sq = 0.03, .bias_variance = 1e-8};  // is better
+    model[2] = {.pilot_hits = 1e5, .noise_sq = 1.1, .blur_sq = 0.01, .bias_variance = 1e-2};  // says nothing
+    carry_on(candidates, 1, model);
+    EXPECT_EQ(model[0]->blur_sq, 0.08);
+    EXPECT_EQ(model[1]->blur_sq, 0.03);
+    EXPECT_DOUBLE_EQ(model[2]->blur_sq, 0.015) << "of the coarser one";
+    EXPECT_EQ(model[2]->noise_sq, 1.1) << "its own";
+    ASSERT_TRUE(model[3]);
+    EXPECT_DOUBLE_EQ(model[3]->blur_sq, 0.0075);
+    EXPECT_DOUBLE_EQ(model[3]->noise_sq, 4.4);
+    EXPECT_FALSE(model[4]) << "another chain";
+    EXPECT_FALSE(model[5]);
+}
+
+}  // namespace

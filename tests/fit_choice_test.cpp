@@ -83,7 +83,7 @@ TEST_F(FitChoice, KeepsWithinBudgets) {
 TEST_F(FitChoice, SaysHowManyHitsItWouldTake) {
     goal.max_hits = 1e6;
     EXPECT_FALSE(light_map().reached);
-    EXPECT_NE(light_map().reason.find("shlm/L2/radiance/own/t1024/h0 takes 1.25e+06 hits, and --max-hits is "
+    EXPECT_NE(light_map().reason.find("shlm/L2/radiance/own/t1024/h0/half takes 1.25e+06 hits, and --max-hits is "
                                       "1e+06"),
               std::string::npos)
         << light_map().reason;
@@ -104,7 +104,7 @@ TEST_F(FitChoice, SaysWhichBiasForbidsTheTarget) {
     EXPECT_FALSE(choice.reached);
     EXPECT_EQ(choice.proposal.candidate, 1u) << "comes nearest";
     EXPECT_NE(
-        choice.reason.find("2 % is below the bias of shlm/L2/radiance/own/t4096/h0, 2.24 % (blur 2.24 %, "
+        choice.reason.find("2 % is below the bias of shlm/L2/radiance/own/t4096/h0/half, 2.24 % (blur 2.24 %, "
                            "truncation 0 %)"),
         std::string::npos)
         << choice.reason;

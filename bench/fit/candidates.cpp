@@ -10,7 +10,8 @@ namespace {
 
 // --- the list: a line more here is all that another basis, gather or kernel takes
 
-const std::vector<std::string> bases = {"L0/normalised", "L1/radiance", "L2/radiance",
+const std::vector<std::string> bases = {"L0/normalised", "AD/radiance",   "YL2/radiance",
+                                        "L1/radiance",   "H4/radiance",   "L2/radiance",
                                         "L2/normalised", "L4/radiance", "L4/normalised"};
 const std::vector<std::string> gathers = {"own", "bilinear", "knn4", "knn8"};
 const std::vector<std::string> kernels = {"disc", "epanechnikov"};
@@ -36,7 +37,7 @@ std::uint64_t nearest_count(double share, std::uint64_t hits) {
 std::string Candidate::name(std::uint64_t hits) const {
     switch (kind) {
         case CandidateKind::light_map:
-            return fmt::format("shlm/{}/{}/t{:.0f}/h0", basis, gather, value);
+            return fmt::format("shlm/{}/{}/t{:.0f}/h0/half", basis, gather, value);
         case CandidateKind::photon_radius:
             return fmt::format("photonmap/compact/r{:.6g}/{}", value, basis);
         case CandidateKind::photon_share:

@@ -18,7 +18,7 @@ enum class CandidateKind {
 
 /// A setting but for the number of hits. Its error has the same form for any number N of hits: blur and
 /// truncation do not depend on N, the variance falls as 1 / N. That is why texels show their own hits (/h0)
-/// and k grows with N.
+/// and k grows with N. Light maps store halves: their rounding is far below any error that can be measured.
 struct Candidate {
     CandidateKind kind;
     std::string basis;   ///< of a light map, "L2/radiance"; of a photon map its kernel

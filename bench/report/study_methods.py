@@ -23,6 +23,7 @@ THEORY_TEXT = {
     FIXED_K: "0",
 }
 
+SUMMED_ORDER = {"L0": 0, "L1": 1, "L2": 2, "L4": 4, "H4": 2, "H6": 2, "YH4": 2, "YL2": 2, "AD": 1}
 DEFAULT_LEAST_HITS = 100  # shlm/settings.h
 
 REFERENCE_LIGHT_MAP = "shlm/L2/radiance/knn4"
@@ -34,7 +35,7 @@ REFERENCE_PHOTON_MAP = "photonmap/flann/k50/disc"
 class Method:
     name: str
     family: str
-    order: int = 0  # of the spherical harmonics
+    order: int = 0  # of the spherical harmonics that are summed
     weight: str = ""  # what a hit stands for: radiance, flux, normalised
     gather: str = ""  # own, bilinear, knn4, ...
     placement: str = ""  # uv or face; empty: the study's default
@@ -54,14 +55,14 @@ class Method:
 
 
 def parse_light_map(name):
-    parts = re.fullmatch(r"shlm/L(\d+)/(\w+)/(\w+)(?:/(uv|face))?(?:/t(\d+))?(?:/h(\d+))?", name)
-    if not parts:
+    parts = re.fullmatch(r"shlm/(\w+)/(\w+)/(\w+)(?:/(uv|face))?(?:/t(\d+))?(?:/h(\d+))?(?:/half)?", name)
+    if not parts or parts[1] not in SUMMED_ORDER:
         return None
-    order, weight, gather, placement, texels, least_hits = parts.groups()
+    basis, weight, gather, placement, texels, least_hits = parts.groups()
     return Method(
         name,
         LIGHT_MAP,
-        order=int(order),
+        order=SUMMED_ORDER[basis],
         weight=weight,
         gather=gather,
         placement=placement or "",

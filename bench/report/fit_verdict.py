@@ -1,0 +1,54 @@
+"""What each scene needs, by `shlmbench fit`: fit_verdict.py FIT.json... prints a table in Markdown.
+
+Verified runs count as measured; where a target is out of reach the reason stands in place of a method.
+"""
+
+import math
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from fit_search import KINDS, cost, figure, read_fit
+from study_data import StudyError
+
+HEAD = (
+    "| scene | target % | map | hits | bytes | seconds | estimated % | measured % | runs that meet it |\n"
+    "|---|---|---|---|---|---|---|---|---|\n"
+)
+
+
+def bytes_text(size):
+    return f"{size / 2**20:,.1f} MiB" if size >= 2**20 else f"{size / 2**10:,.0f} KiB"
+
+
+def row(fit, kind):
+    entry = fit[kind]
+    start = f"| {fit['scene']} | {figure(100 * fit['target'])} | "
+    if not entry["reached"]:
+        return start + f"{kind.replace('_', ' ')}: {entry['reason']} | - | - | - | - | - | - |\n"
+    choice = entry["choice"]
+    errors = [run["error"] for run in entry.get("verified", [])]
+    measured = 100 * float(np.sqrt(np.mean(np.square(errors)))) if errors else math.nan
+    met = f"{sum(error <= fit['target'] for error in errors)} of {len(errors)}" if errors else "-"
+    return start + (
+        f"{choice['method']} | {choice['hits']:.2g} | {bytes_text(cost(entry, 'bytes'))} | {cost(entry, 'seconds'):.2g} | "
+        f"{figure(100 * choice['error'])} | {figure(measured)} | {met} |\n"
+    )
+
+
+def main():
+    if len(sys.argv) < 2:
+        print("usage: fit_verdict.py FIT.json...", file=sys.stderr)
+        return 2
+    try:
+        fits = [read_fit(Path(path)) for path in sys.argv[1:]]
+    except StudyError as error:
+        print(error, file=sys.stderr)
+        return 2
+    print(HEAD + "".join(row(fit, kind) for fit in fits for kind in KINDS), end="")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -153,7 +153,7 @@ AdaptiveMap::AdaptiveMap(const TexelSums<AdaptiveModel>& sums, const PreparedTex
     // cannot be small enough, a fiftieth more than the least: the last bytes bring nothing that noise does
     // not hide.
     std::vector<BlockChoice> choices = choose(0);
-    const double allowed = std::max(wanted_error, 1.02 * error_of(choices));
+    const double allowed = std::max(wanted_error, 1.05 * error_of(choices));
     double low = -60, high = 60;  // binary logarithm of the price, in units of the scene's area
     for (int i = 0; i < 24; ++i) {
         const double middle = (low + high) / 2;

@@ -1,5 +1,7 @@
 #include "shlm/block_choice.h"
 
+#include "shlm/settings.h"
+
 namespace shlm {
 namespace {
 
@@ -8,6 +10,22 @@ struct Cost {
 
     [[nodiscard]] double at(double byte_price) const { return error_sq + byte_price * bytes; }
 };
+
+struct Kept {
+    BlockKind kind = BlockKind::dark;
+    Cost cost;
+};
+
+/// Of what a block may be that is not divided.
+Kept cheapest(const BlockCosts& costs, bool with_normals, double byte_price) {
+    Kept best;
+    for (std::size_t k = static_cast<std::size_t>(BlockKind::dark); k < block_kinds; ++k) {
+        const auto kind = static_cast<BlockKind>(k);
+        const Cost cost{costs.error_sq[k], bytes_of(kind, with_normals)};
+        if (kind == BlockKind::dark || cost.at(byte_price) < best.cost.at(byte_price)) best = {kind, cost};
+    }
+    return best;
+}
 
 }  // namespace
 
@@ -24,35 +42,29 @@ BlockChoice choose_blocks(const LightPyramid& pyramid, std::span<const BlockCost
     choice.of_block.resize(costs.size());
     std::vector<Cost> best(costs.size());
     std::size_t level_begin = 0, below_begin = 0;
+    const auto cost_of_division = [&](std::size_t level, std::uint32_t x, std::uint32_t y) {
+        Cost cost{0, bytes_of_division};
+        pyramid.for_children(level, x, y, [&](auto cx, auto cy) {
+            const Cost& part = best[below_begin + std::size_t{cy} * pyramid.width(level - 1) + cx];
+            cost.error_sq += part.error_sq;
+            cost.bytes += part.bytes;
+        });
+        return cost;
+    };
     for (std::size_t level = 0; level < pyramid.levels(); ++level) {
         for (std::uint32_t y = 0; y < pyramid.height(level); ++y)
             for (std::uint32_t x = 0; x < pyramid.width(level); ++x) {
                 const std::size_t b = level_begin + std::size_t{y} * pyramid.width(level) + x;
-                const double area = pyramid.block(level, x, y).area;
-                if (area == 0) continue;  // uncovered, and costs nothing
-                Cost& cost = best[b];
+                const LightBlock& block = pyramid.block(level, x, y);
+                if (block.area == 0) continue;  // uncovered, and costs nothing
+                const Kept kept = cheapest(costs[b], with_normals, byte_price);
+                choice.of_block[b] = static_cast<std::uint8_t>(kept.kind);
+                best[b] = kept.cost;
+                if (level == 0 || (costs[b].may_be_one && block.hits < default_least_hits)) continue;
+                const Cost division = cost_of_division(level, x, y);
+                if (costs[b].may_be_one && kept.cost.at(byte_price) <= division.at(byte_price)) continue;
                 choice.of_block[b] = divided;
-                if (level > 0) {
-                    cost.bytes = bytes_of_division;
-                    pyramid.for_children(level, x, y, [&](auto cx, auto cy) {
-                        const Cost& part =
-                            best[below_begin + std::size_t{cy} * pyramid.width(level - 1) + cx];
-                        cost.error_sq += part.error_sq;
-                        cost.bytes += part.bytes;
-                    });
-                    if (!costs[b].may_be_one) continue;
-                }
-                for (std::size_t k = static_cast<std::size_t>(BlockKind::dark); k < block_kinds; ++k) {
-                    const Cost kept{costs[b].error_sq[k], bytes_of(static_cast<BlockKind>(k), with_normals)};
-                    if (choice.of_block[b] == divided && level == 0) {
-                        cost = kept;
-                    } else if (kept.at(byte_price) > cost.at(byte_price)) {
-                        continue;
-                    } else {
-                        cost = kept;
-                    }
-                    choice.of_block[b] = static_cast<std::uint8_t>(k);
-                }
+                best[b] = division;
             }
         below_begin = level_begin;
         level_begin += std::size_t{pyramid.width(level)} * pyramid.height(level);

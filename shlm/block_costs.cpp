@@ -23,6 +23,16 @@ constexpr float order_2_noise = 3.0f, h4_noise = 2.1f;
 constexpr std::array<float, block_kinds> direction_noise = {
     0, 0, 0, h4_noise, h4_noise, order_2_noise, order_2_noise};
 
+/// Noise is told from light where it exceeds what is expected of it by this many standard deviations: a mean
+/// of n squares of normal numbers varies by sqrt(2 / n). What does not is not stored.
+constexpr double significance = 2;
+double largest_noise(double expected, double squares) {
+    return expected * (1 + significance * std::sqrt(2 / std::max(squares, 1.0)));
+}
+
+/// Directions tell of noise in about as many numbers as H4 has beside its constant.
+constexpr double direction_squares = 3;
+
 /// What is known of the light around a texel.
 struct Neighbourhood {
     Rgb irradiance{0, 0, 0};
@@ -107,9 +117,10 @@ class CostsOfFace {
         double dark = 0, by_space = 0, noise = 0, relative_light = 0;
         for (std::size_t c = 0; c < 3; ++c) {
             const double e = light.surface[static_cast<int>(c)];
-            dark += std::max(sums.second[c] - sums.noise[c], 0.0);
+            dark += std::max(sums.second[c] - largest_noise(sums.noise[c], sums.texels), 0.0);
             const double spread = sums.second[c] - 2 * e * sums.first[c] + e * e * sums.weight[c];
-            by_space += std::max(spread - sums.noise[c] * (1 - 1 / sums.texels), 0.0);
+            const double expected = sums.noise[c] * (1 - 1 / sums.texels);
+            by_space += std::max(spread - largest_noise(expected, sums.texels - 1), 0.0);
             noise += sums.noise[c] / sums.texels;
             relative_light += sums.weight[c] * square(around.irradiance[static_cast<int>(c)]);
         }
@@ -122,9 +133,10 @@ class CostsOfFace {
             const auto kind = static_cast<BlockKind>(k);
             double left_out = 0;
             if (!normals_.bent.empty() && kind != BlockKind::L2)
-                left_out = std::max(left_out_by(kind, light, block.unit_normal(), sums) -
-                                        direction * (order_2_noise - direction_noise[k]),
-                                    0.0);
+                left_out = std::max(
+                    left_out_by(kind, light, block.unit_normal(), sums) -
+                        largest_noise(direction * (order_2_noise - direction_noise[k]), direction_squares),
+                    0.0);
             set(kind, by_space + noise + left_out + direction * direction_noise[k]);
         }
     }
@@ -169,29 +181,30 @@ class CostsOfFace {
     std::vector<BlockCosts> costs_;
 };
 
-/// (Variance of four texels' light) / (what it would be if hits were alike), of all blocks of four texels
-/// that are covered alike and have few hits, so that noise is most of what they differ by.
+/// (Variance of four blocks' light) / (what it would be if hits were alike), of all blocks of four that are
+/// covered alike and have few hits, so that noise is most of what they differ by. Whatever the texels' size,
+/// such blocks are everywhere.
 std::vector<double> noise_ratios(const LightPyramid& pyramid) {
-    constexpr double least_hits = 16, most_hits = 400;
+    constexpr double least_hits = 16, most_hits = 64;
     std::vector<double> ratios;
-    if (pyramid.levels() < 2) return ratios;
-    for (std::uint32_t y = 0; y < pyramid.height(1); ++y)
-        for (std::uint32_t x = 0; x < pyramid.width(1); ++x) {
-            const LightBlock& block = pyramid.block(1, x, y);
-            if (!block.one_surface || block.hits < least_hits || block.hits > most_hits) continue;
-            const double mean = common::mean_component(block.light().surface);
-            double spread = 0;
-            bool alike = mean > 0;
-            pyramid.for_children(1, x, y, [&](auto cx, auto cy) {
-                const LightBlock& part = pyramid.block(0, cx, cy);
-                alike = alike && part.area > 0.2 * block.area;
-                const double difference = common::mean_component(part.light().surface) - mean;
-                spread += difference * difference / 4;
-            });
-            // Four independent texels of n / 4 hits: their variance is 4 / n, and 3 / 4 of it is left around
-            // their own mean.
-            if (alike) ratios.push_back(spread / (mean * mean) * block.hits / 3);
-        }
+    for (std::size_t level = 1; level < pyramid.levels(); ++level)
+        for (std::uint32_t y = 0; y < pyramid.height(level); ++y)
+            for (std::uint32_t x = 0; x < pyramid.width(level); ++x) {
+                const LightBlock& block = pyramid.block(level, x, y);
+                if (!block.one_surface || block.hits < least_hits || block.hits > most_hits) continue;
+                const double mean = common::mean_component(block.light().surface);
+                double spread = 0;
+                bool alike = mean > 0;
+                pyramid.for_children(level, x, y, [&](auto cx, auto cy) {
+                    const LightBlock& part = pyramid.block(level - 1, cx, cy);
+                    alike = alike && part.area > 0.2 * block.area;
+                    const double difference = common::mean_component(part.light().surface) - mean;
+                    spread += difference * difference / 4;
+                });
+                // Four independent parts of n / 4 hits: their variance is 4 / n, and 3 / 4 of it is left
+                // around their own mean.
+                if (alike) ratios.push_back(spread / (mean * mean) * block.hits / 3);
+            }
     return ratios;
 }
 

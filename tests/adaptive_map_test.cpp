@@ -106,7 +106,7 @@ TEST(AdaptiveMap, SmoothBlocksMeetHalfWay) {
         EXPECT_NEAR(map.irradiance(point_at(scene, s, 0.4f)).x, expected, 0.003) << s;
 }
 
-/// Photons of uniform light, as they fall.
+/// Photons of uniform light of 1 W/m^2, as they fall: `hits` of them are expected.
 struct RandomLight {
     Scene scene;
     PreparedTexels texels;
@@ -118,7 +118,8 @@ struct RandomLight {
           sums(texels.geometry.size(), shlm::Quantum(Rgb(1, 1, 1) / static_cast<float>(hits))) {
         std::mt19937 engine(seed);
         std::uniform_real_distribution<float> uniform(0, 1);
-        for (std::size_t i = 0; i < hits; ++i) {
+        const int count = std::poisson_distribution(static_cast<double>(hits))(engine);
+        for (int i = 0; i < count; ++i) {
             const SurfaceId surface = on_quad(0, uniform(engine), uniform(engine));
             const Vec3 towards = common::sample_cosine_hemisphere(uniform(engine), uniform(engine));
             const shlm::TriangleTexels& triangle = texels.layout.triangle(surface.triangle);

@@ -62,10 +62,11 @@ SurfacePoint back_of(const Scene& scene, const SurfaceId& surface) {
     return common::surface_point_at(scene, surface, scene.geometric_normal[surface.triangle]);
 }
 
-/// Calls `use(s, t)` for points all over the unit square, none of them on a border of up to 64 texels a side.
+/// Calls `use(s, t)` for points all over the unit square: odd multiples of 1 / 256, none of them on a border of up to
+/// 64 texels a side.
 template <class Use>
 void for_points_of_square(Use use) {
-    constexpr int side = 83;
+    constexpr int side = 128;
     for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i)
             use((static_cast<float>(i) + 0.5f) / side, (static_cast<float>(j) + 0.5f) / side);

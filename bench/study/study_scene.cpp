@@ -126,6 +126,7 @@ void StudyScene::write_reference(const fs::path& folder) const {
 nlohmann::ordered_json StudyScene::facts() const {
     return {{"file", loaded_.scene.source},
             {"fingerprint", fingerprint_},
+            {"triangles", loaded_.scene.triangle.size()},
             {"points", points_.size()},
             {"pixels_left_out", pixels_elsewhere_},
             {"reference_of_same_version", same_version_},

@@ -150,8 +150,7 @@ AdaptiveMap::AdaptiveMap(const TexelSums<AdaptiveModel>& sums, const PreparedTex
         return area > 0 ? std::sqrt(error_sq / area) : 0;
     };
     // The highest price at which the error is small enough. The error rises with it, in steps. Where it
-    // cannot be small enough, a fiftieth more than the least: the last bytes bring nothing that noise does
-    // not hide.
+    // cannot be small enough, a twentieth more than the least, for half the bytes or less.
     std::vector<BlockChoice> choices = choose(0);
     const double allowed = std::max(wanted_error, 1.05 * error_of(choices));
     double low = -60, high = 60;  // binary logarithm of the price, in units of the scene's area

@@ -184,10 +184,11 @@ std::string name_of(const ShlmMethod& method) {
 }
 
 ShlmMethod take_adaptive(NameParts& parts, double wanted_error_percent) {
-    ShlmMethod method{.basis = LightBasis::adaptive,
-                      .wanted_error_percent = wanted_error_percent,
-                      .weight = shlm::ShWeight::normalised,
-                      .gather = shlm::Bilinear{}};
+    ShlmMethod method;
+    method.basis = LightBasis::adaptive;
+    method.wanted_error_percent = wanted_error_percent;
+    method.weight = shlm::ShWeight::normalised;
+    method.gather = shlm::Bilinear{};
     (void)parts.take("");
     if (const std::string weight = parts.take("normalised"); weight != "normalised")
         parts.complain(weight, "normalised, the only weight of an adaptive map");

@@ -82,11 +82,6 @@ class AdaptiveMap::Drawing {
   public:
     Drawing(const LightPyramid& pyramid, const BlockChoice& choice, Draft& draft)
         : pyramid_(pyramid), choice_(choice), draft_(draft) {
-        std::size_t blocks = 0;
-        for (std::size_t level = 0; level < pyramid.levels(); ++level) {
-            begin_.push_back(blocks);
-            blocks += std::size_t{pyramid.width(level)} * pyramid.height(level);
-        }
         draft_.node.push_back(0);
         draw(0, pyramid.levels() - 1, 0, 0);
     }
@@ -94,9 +89,8 @@ class AdaptiveMap::Drawing {
   private:
     void draw(std::size_t node, std::size_t level, std::uint32_t x, std::uint32_t y) {
         const bool inside = x < pyramid_.width(level) && y < pyramid_.height(level);
-        const std::uint8_t chosen =
-            inside ? choice_.of_block[begin_[level] + std::size_t{y} * pyramid_.width(level) + x]
-                   : static_cast<std::uint8_t>(BlockKind::uncovered);
+        const std::uint8_t chosen = inside ? choice_.of_block[pyramid_.index(level, x, y)]
+                                           : static_cast<std::uint8_t>(BlockKind::uncovered);
         if (chosen != divided) {
             const auto kind = static_cast<BlockKind>(chosen);
             draft_.node[node] = block_node(kind, 0) | static_cast<Node>(draft_.block.size());
@@ -116,7 +110,6 @@ class AdaptiveMap::Drawing {
     const LightPyramid& pyramid_;
     const BlockChoice& choice_;
     Draft& draft_;
-    std::vector<std::size_t> begin_;
 };
 
 AdaptiveMap::AdaptiveMap(const TexelSums<AdaptiveModel>& sums, const PreparedTexels& texels,
@@ -216,8 +209,7 @@ void AdaptiveMap::assemble(std::vector<Draft>&& drafts) {
 }
 
 std::size_t AdaptiveMap::bytes() const {
-    return places_.bytes() +
-           face_.capacity() * sizeof(Face) + node_.capacity() * sizeof(Node) +
+    return places_.bytes() + face_.capacity() * sizeof(Face) + node_.capacity() * sizeof(Node) +
            number_.capacity() * sizeof(number_[0]);
 }
 

@@ -16,9 +16,10 @@ namespace shlm {
 class AdaptiveMap {
   public:
     /// The smallest map whose estimated error (estimated_error) is no more than `wanted_error`; where the
-    /// hits do not allow that, one with a twentieth more than the least that they do. `sums` are of the same layout as `texels`. `smooth`:
-    /// neighbouring blocks run into each other, as in Bilinear, over the width of the smaller; otherwise each
-    /// shows one light. Throws InputError where there are more blocks than can be counted.
+    /// hits do not allow that, one with a twentieth more than the least that they do. `sums` are of the same
+    /// layout as `texels`. `smooth`: neighbouring blocks run into each other, as in Bilinear, over the width
+    /// of the smaller; otherwise each shows one light. Throws InputError where there are more blocks than can
+    /// be counted.
     AdaptiveMap(const TexelSums<AdaptiveModel>& sums, const PreparedTexels& texels, float watts_per_flux,
                 double wanted_error, bool smooth);
 

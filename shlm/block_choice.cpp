@@ -41,20 +41,19 @@ BlockChoice choose_blocks(const LightPyramid& pyramid, std::span<const BlockCost
     BlockChoice choice;
     choice.of_block.resize(costs.size());
     std::vector<Cost> best(costs.size());
-    std::size_t level_begin = 0, below_begin = 0;
     const auto cost_of_division = [&](std::size_t level, std::uint32_t x, std::uint32_t y) {
         Cost cost{0, bytes_of_division};
         pyramid.for_children(level, x, y, [&](auto cx, auto cy) {
-            const Cost& part = best[below_begin + std::size_t{cy} * pyramid.width(level - 1) + cx];
+            const Cost& part = best[pyramid.index(level - 1, cx, cy)];
             cost.error_sq += part.error_sq;
             cost.bytes += part.bytes;
         });
         return cost;
     };
-    for (std::size_t level = 0; level < pyramid.levels(); ++level) {
+    for (std::size_t level = 0; level < pyramid.levels(); ++level)
         for (std::uint32_t y = 0; y < pyramid.height(level); ++y)
             for (std::uint32_t x = 0; x < pyramid.width(level); ++x) {
-                const std::size_t b = level_begin + std::size_t{y} * pyramid.width(level) + x;
+                const std::size_t b = pyramid.index(level, x, y);
                 const LightBlock& block = pyramid.block(level, x, y);
                 if (block.area == 0) continue;  // uncovered, and costs nothing
                 const Kept kept = cheapest(costs[b], with_normals, byte_price);
@@ -66,9 +65,6 @@ BlockChoice choose_blocks(const LightPyramid& pyramid, std::span<const BlockCost
                 choice.of_block[b] = divided;
                 best[b] = division;
             }
-        below_begin = level_begin;
-        level_begin += std::size_t{pyramid.width(level)} * pyramid.height(level);
-    }
     choice.error_sq = best.back().error_sq;
     choice.bytes = best.back().bytes;
     return choice;

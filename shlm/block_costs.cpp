@@ -59,13 +59,7 @@ struct SquareSums {
 class CostsOfFace {
   public:
     CostsOfFace(const LightPyramid& pyramid, const NormalsInUse& normals, const LightStatistics& statistics)
-        : pyramid_(pyramid), normals_(normals), statistics_(statistics) {
-        std::size_t blocks = 0;
-        for (std::size_t level = 0; level < pyramid.levels(); ++level) {
-            begin_.push_back(blocks);
-            blocks += std::size_t{pyramid.width(level)} * pyramid.height(level);
-        }
-        costs_.resize(blocks);
+        : pyramid_(pyramid), normals_(normals), statistics_(statistics), costs_(pyramid.block_count()) {
         (void)visit(pyramid.levels() - 1, 0, 0, {});
     }
 
@@ -74,7 +68,7 @@ class CostsOfFace {
   private:
     SquareSums visit(std::size_t level, std::uint32_t x, std::uint32_t y, Neighbourhood around) {
         const LightBlock& block = pyramid_.block(level, x, y);
-        BlockCosts& costs = costs_[begin_[level] + std::size_t{y} * pyramid_.width(level) + x];
+        BlockCosts& costs = costs_[pyramid_.index(level, x, y)];
         SquareSums sums;
         if (block.area == 0) return sums;
         if (around.hits_per_area == 0 || (block.hits >= hits_to_know && block.one_surface))
@@ -177,7 +171,6 @@ class CostsOfFace {
     const LightPyramid& pyramid_;
     const NormalsInUse& normals_;
     const LightStatistics& statistics_;
-    std::vector<std::size_t> begin_;  ///< of each level
     std::vector<BlockCosts> costs_;
 };
 

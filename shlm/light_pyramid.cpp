@@ -50,7 +50,7 @@ LightPyramid::LightPyramid(const TexelSums<AdaptiveModel>& sums, const PreparedT
                            float watts_per_flux, const RegionFace& face) {
     const TexelRegion& region = texels.layout.regions()[face.region];
     const std::uint32_t first = region.first_texel + (face.back ? region.texels_per_face() : 0);
-    level_.push_back({region.width, region.height, {}});
+    level_.push_back({region.width, region.height, 0, {}});
     level_[0].block.reserve(region.texels_per_face());
     double largest_area = 0;
     for (std::uint32_t i = 0; i < region.texels_per_face(); ++i) {
@@ -59,7 +59,8 @@ LightPyramid::LightPyramid(const TexelSums<AdaptiveModel>& sums, const PreparedT
     }
     while (level_.back().block.size() > 1) {
         const std::uint32_t width = (level_.back().width + 1) / 2, height = (level_.back().height + 1) / 2;
-        level_.push_back({width, height, std::vector<LightBlock>(std::size_t{width} * height)});
+        level_.push_back(
+            {width, height, block_count(), std::vector<LightBlock>(std::size_t{width} * height)});
         join(level_.size() - 1, std::sqrt(largest_area));
     }
 }

@@ -46,6 +46,12 @@ class LightPyramid {
         return level_[level].block[std::size_t{y} * level_[level].width + x];
     }
 
+    /// Of all levels, and where one of them stands: level by level, row by row.
+    [[nodiscard]] std::size_t block_count() const { return level_.back().first + level_.back().block.size(); }
+    [[nodiscard]] std::size_t index(std::size_t level, std::uint32_t x, std::uint32_t y) const {
+        return level_[level].first + std::size_t{y} * level_[level].width + x;
+    }
+
     /// Calls `use(child x, child y)` for the up to four blocks of the level below.
     template <class Use>
     void for_children(std::size_t level, std::uint32_t x, std::uint32_t y, Use use) const {
@@ -59,6 +65,7 @@ class LightPyramid {
   private:
     struct Level {
         std::uint32_t width, height;
+        std::size_t first;              ///< index of its first block
         std::vector<LightBlock> block;  ///< row by row
     };
 

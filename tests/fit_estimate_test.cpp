@@ -90,7 +90,7 @@ TEST(FitEstimate, FindsBiasAndNoiseWithoutBiasOfItsOwn) {
     const Synthetic coarse{.bias = 0.2, .noise = 0.3}, fine{.bias = 0, .noise = 0.6, .neighbours = 1};
     std::mt19937_64 random(1);
     Sample bias_sq, variance;
-    for (std::uint64_t run = 0; run < count_for(1000, 100); ++run) {
+    for (std::uint64_t run = 0; run < 1000; ++run) {
         const Halves halves = coarse.halves(random);
         bias_sq.add(squared_difference(halves, fine.halves(random), by).value);
         variance.add(noise_sq(halves, by));
@@ -138,7 +138,7 @@ TEST(FitEstimate, DeviationBoundsWhatRunsDifferFromEstimates) {
         SCOPED_TRACE(times);
         const Synthetic run_of{.bias = coarse.bias, .noise = coarse.noise / std::sqrt(times)};
         Sample difference, claimed;
-        for (std::uint64_t run = 0; run < count_for(1000, 100); ++run) {
+        for (std::uint64_t run = 0; run < 1000; ++run) {
             const Halves halves = coarse.halves(random);
             const SquareEstimate bias_sq = squared_difference(halves, fine.halves(random), by);
             const ErrorModel model{.pilot_hits = 1000,

@@ -1,13 +1,7 @@
 #include "bench/fit/carry_on.h"
 
-#include <cmath>
-
 namespace bench::fit {
 namespace {
-
-double upper_bias_sq(const ErrorModel& model, double z) {
-    return model.bias_sq() + z * std::sqrt(model.bias_variance);
-}
 
 /// Whether its width is what its value says. The k nearest of a large share are not: in dark places the
 /// largest gather radius cuts them off, so that a share's blur falls more slowly than its width.
@@ -45,7 +39,7 @@ void carry_on(std::span<const Candidate> candidates, double z, std::span<std::op
             if (!model[i])
                 model[i] = carried;
             else if (has_width_of_its_own(candidates[i]) &&
-                     upper_bias_sq(carried, z) < upper_bias_sq(*model[i], z))
+                     carried.upper_bias_sq(z) < model[i]->upper_bias_sq(z))
                 model[i] = with_bias_of(*model[i], carried);
         }
         if (model[i]) known = i;

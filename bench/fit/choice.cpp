@@ -59,8 +59,7 @@ Choice out_of_reach(const Knowledge& known, const FitGoal& goal, bool light_maps
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < known.candidates.size(); ++i) {
         if (!is_known(known, i, light_maps)) continue;
-        const double upper =
-            known.estimates.model[i]->bias_sq() + goal.z * std::sqrt(known.estimates.model[i]->bias_variance);
+        const double upper = known.estimates.model[i]->upper_bias_sq(goal.z);
         if (upper >= least) continue;
         least = upper;
         choice.proposal = proposal_at(known, i, std::min(goal.max_hits, most_hits(known.candidates[i])));
@@ -72,8 +71,7 @@ Choice out_of_reach(const Knowledge& known, const FitGoal& goal, bool light_maps
     const ErrorModel& model = choice.proposal.model;
     const std::string name =
         known.candidates[choice.proposal.candidate].name(static_cast<std::uint64_t>(choice.proposal.hits));
-    const bool for_sure =
-        model.bias_sq() - goal.z * std::sqrt(model.bias_variance) > goal.target * goal.target;
+    const bool for_sure = model.lower_bias_sq(goal.z) > goal.target * goal.target;
     choice.reason =
         for_sure
             ? fmt::format(

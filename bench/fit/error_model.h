@@ -1,6 +1,7 @@
 // A candidate's squared error as a function of its hits, and the hits that a target takes.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 namespace bench::fit {
@@ -15,6 +16,10 @@ struct ErrorModel {
     double spread_variance = 0;  ///< variance_about the best answer, of the candidate's own halves
 
     [[nodiscard]] double bias_sq() const { return blur_sq + truncation_sq; }
+
+    /// Bounds of the bias, z standard errors away. The lower one may be below zero.
+    [[nodiscard]] double upper_bias_sq(double z) const { return bias_sq() + z * std::sqrt(bias_variance); }
+    [[nodiscard]] double lower_bias_sq(double z) const { return bias_sq() - z * std::sqrt(bias_variance); }
 
     /// Expected at so many hits.
     [[nodiscard]] double error_sq(double hits) const { return bias_sq() + noise_sq * pilot_hits / hits; }

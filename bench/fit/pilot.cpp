@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "bench/app/ending.h"
 #include "bench/app/memory_need.h"
+#include "bench/fit/stop.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
 
@@ -20,10 +20,6 @@ struct Group {
     std::vector<std::size_t> members;
     std::vector<Method> methods;
 };
-
-void stop_if_interrupted() {
-    if (common::interrupted()) throw Interrupted("fit stopped: nothing is written");
-}
 
 std::vector<Group> groups_of(std::span<const Candidate> candidates, std::span<const std::size_t> chosen,
                              std::uint64_t hits) {

@@ -34,9 +34,7 @@ double price_of(const FitGoal& goal, const FitCost& cost) {
 double least_price(const State& state, std::size_t i) {
     const ErrorModel& model = *state.result.estimates.model[i];
     const double certain_bias_sq =
-        state.result.estimates.measured[i]
-            ? std::max(0.0, model.bias_sq() - state.goal.z * std::sqrt(model.bias_variance))
-            : 0.0;
+        state.result.estimates.measured[i] ? std::max(0.0, model.lower_bias_sq(state.goal.z)) : 0.0;
     const double left = state.goal.target * state.goal.target - certain_bias_sq;
     if (left <= 0) return std::numeric_limits<double>::infinity();
     return price_of(state.goal, cost_at(state.candidates[i], *state.result.costs[i],

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/app/ending.h"
+#include "bench/fit/stop.h"
 #include "bench/study/study_store.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
@@ -10,10 +10,6 @@
 
 namespace bench::fit {
 namespace {
-
-void stop_if_interrupted() {
-    if (common::interrupted()) throw Interrupted("fit stopped: nothing is written");
-}
 
 VerifiedRun run_once(const Method& method, std::uint64_t hits, std::uint64_t seed, StudyScene& scene) {
     std::vector<StudyStore> stores;

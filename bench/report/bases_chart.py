@@ -8,9 +8,11 @@ import sys
 from pathlib import Path
 
 from matplotlib.ticker import FuncFormatter
+from study_front import front_of
 from study_style import LIGHT_MAP_COLOURS, SMALL, Sheet, plain_axes
 from study_text import machine_text
 
+NO_DIFFERENCE = 0.02  # between the errors of two bases
 LEAST_PERCENT = 1e-3  # the logarithmic axis ends somewhere
 CURVES = ("L0/normalised", "L1/radiance", "H4/radiance", "L2/radiance", "L4/radiance")
 HARMONICS = ("L0", "L1", "L2", "L4")
@@ -37,18 +39,8 @@ def is_half(row):
     return row["basis"].endswith("/half")
 
 
-def front_of(rows):
-    """Those that no row with as few bytes beats."""
-    front, least = [], float("inf")
-    for row in sorted(rows, key=lambda row: (row["bytes_per_texel"], row["mean"])):
-        if row["mean"] < 0.98 * least:  # a hundredth or two is no difference
-            least = row["mean"]
-            front.append(row)
-    return front
-
-
 def draw_light(axes, rows, light):
-    front = front_of(rows)
+    front = front_of(rows, lambda row: row["bytes_per_texel"], lambda row: row["mean"], NO_DIFFERENCE)
     shown = [max(row["mean"], LEAST_PERCENT) for row in front]
     axes.step(
         [row["bytes_per_texel"] for row in front],

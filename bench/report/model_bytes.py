@@ -14,6 +14,7 @@ import numpy as np
 
 from study_curves import curves_of
 from study_data import Study, StudyError
+from study_front import front_of
 from study_style import SMALL, Sheet, plain_axes
 from study_text import machine_text
 
@@ -52,12 +53,7 @@ def at_size(curves, hits):
 
 def front(points):
     """Those that nobody with as few bytes beats, from few bytes to many."""
-    kept, least = [], math.inf
-    for size, error in sorted(points):
-        if error < least:
-            kept.append((size, error))
-            least = error
-    return kept
+    return front_of(points, lambda p: p[0], lambda p: p[1])
 
 
 def bytes_for(kept, error):

@@ -1,13 +1,19 @@
-"""The Pareto front: measured runs that no other run beats in both cost and error."""
+"""The Pareto front: what nobody beats in both cost and error."""
+
+
+def front_of(items, cost_of, error_of, least_gain=0.0):
+    """In ascending order of cost; of two equal ones the first is kept. Each is better than the one before by more than
+    `least_gain`, a share of its error."""
+    front = []
+    for item in sorted(items, key=lambda i: (cost_of(i), error_of(i))):
+        if not front or error_of(item) < (1 - least_gain) * error_of(front[-1]):
+            front.append(item)
+    return front
 
 
 def pareto_front(points, cost_of):
-    """In ascending order of cost. `points` have split.error; of two equal ones the first is kept."""
-    front = []
-    for point in sorted(points, key=lambda p: (cost_of(p), p.split.error)):
-        if point.split.error > 0 and (not front or point.split.error < front[-1].split.error):
-            front.append(point)
-    return front
+    """Of measured runs. `points` have split.error, which the reference's own error may take below zero."""
+    return front_of([p for p in points if p.split.error > 0], cost_of, lambda p: p.split.error)
 
 
 def all_points(curves):

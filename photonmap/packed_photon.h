@@ -4,48 +4,9 @@
 #include <bit>
 #include <cstdint>
 
-#include "common/core/vector.h"
+#include "common/core/octahedral.h"
 
 namespace photonmap {
-
-/// Unit vectors as points of an octahedron unfolded into a square (Cigolle et al. 2014, "A Survey of
-/// Efficient Representations for Independent Unit Vectors"), each coordinate in 2^Bits - 1 equal steps: the
-/// axes and everything in between them that is a multiple of a step are exact. What comes back is within
-/// sqrt(4.5) / (2^(Bits - 1) - 1) radians.
-template <int Bits>
-struct Octahedral {
-    static constexpr int half_steps = (1 << (Bits - 1)) - 1;
-    static constexpr std::uint32_t mask = (1u << Bits) - 1;
-
-    [[nodiscard]] static std::uint32_t pack(const common::Vec3& v) {
-        const float to_octahedron = 1 / (std::abs(v.x) + std::abs(v.y) + std::abs(v.z));
-        float s = v.x * to_octahedron, t = v.y * to_octahedron;
-        if (v.z < 0) {
-            const float folded_s = std::copysign(1 - std::abs(t), s);
-            t = std::copysign(1 - std::abs(s), t);
-            s = folded_s;
-        }
-        return step(s) | step(t) << Bits;
-    }
-
-    /// Unit.
-    [[nodiscard]] static common::Vec3 unpack(std::uint32_t packed) {
-        common::Vec3 v(value(packed & mask), value(packed >> Bits & mask), 0);
-        v.z = 1 - std::abs(v.x) - std::abs(v.y);
-        const float below = std::max(-v.z, 0.0f);
-        v.x -= std::copysign(below, v.x);
-        v.y -= std::copysign(below, v.y);
-        return v * (1 / std::sqrt(v.dot(v)));
-    }
-
-  private:
-    static std::uint32_t step(float s) {
-        return static_cast<std::uint32_t>(s * half_steps + (half_steps + 0.5f));
-    }
-    static float value(std::uint32_t step) {
-        return static_cast<float>(static_cast<int>(step) - half_steps) * (1.0f / half_steps);
-    }
-};
 
 /// Three numbers >= 0 with ten bits each of the largest one's exponent (Ward 1991, "Real Pixels", with two
 /// bits more): each is within 2^-10 of the largest. 38 bits.
@@ -81,7 +42,7 @@ struct SharedExponent {
 struct PackedLight {
     std::uint64_t bits;
 
-    using Direction = Octahedral<13>;
+    using Direction = common::Octahedral<13>;
 
     [[nodiscard]] static PackedLight pack(const common::Vec3& direction, const common::Rgb& facing_flux) {
         return {SharedExponent::pack(facing_flux) | std::uint64_t{Direction::pack(direction)} << 38};
@@ -94,7 +55,7 @@ struct PackedLight {
 
 /// The normal of its surface on the side it arrived at decides only whether a photon counts: 16 bits, within
 /// a degree.
-using PackedNormal = Octahedral<8>;
+using PackedNormal = common::Octahedral<8>;
 
 /// As it is stored while photons are traced: nothing is added later but the boxes of the index.
 struct PackedPhoton {

@@ -1,12 +1,14 @@
 #include "shlm/adaptive_map.h"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <bit>
-#include <numeric>
 
 #include "common/core/input_error.h"
-#include "shlm/octahedral_normal.h"
+#include "shlm/block_search.h"
+#include "shlm/irradiance_mean.h"
+#include "shlm/packed_normal.h"
 #include "shlm/stored_texel.h"
 
 namespace shlm {
@@ -16,7 +18,10 @@ using common::Rgb;
 using common::Vec3;
 
 constexpr std::uint32_t block_bit = 0x80000000u, offset_mask = 0x0fffffffu;
-constexpr float one_normal_cosine = 0.99985f;  // blocks within a degree share their face's normal
+
+std::size_t face_index(std::uint32_t region, bool back) {
+    return 2 * std::size_t{region} + (back ? 1 : 0);
+}
 
 BlockKind kind_of(std::uint32_t node) {
     return static_cast<BlockKind>((node >> 28) & 7);
@@ -26,40 +31,15 @@ std::uint32_t block_node(BlockKind kind, std::size_t offset) {
     return block_bit | static_cast<std::uint32_t>(kind) << 28 | static_cast<std::uint32_t>(offset);
 }
 
-std::vector<RegionFace> faces_of(const TexelLayout& layout) {
-    std::vector<RegionFace> faces;
-    for (std::uint32_t r = 0; r < layout.regions().size(); ++r) {
-        faces.push_back({r, false});
-        if (layout.regions()[r].both_faces) faces.push_back({r, true});
-    }
-    return faces;
-}
-
-bool is_flat(const LightPyramid& pyramid) {
-    const Vec3 mean = pyramid.block(pyramid.levels() - 1, 0, 0).unit_normal();
-    for (std::uint32_t y = 0; y < pyramid.height(0); ++y)
-        for (std::uint32_t x = 0; x < pyramid.width(0); ++x) {
-            const LightBlock& block = pyramid.block(0, x, y);
-            if (block.area > 0 && block.unit_normal().dot(mean) < one_normal_cosine) return false;
-        }
-    return true;
-}
-
 std::vector<float> kept_numbers(BlockKind kind, const LightBlock& block) {
     const BlockLight light = block.light();
     if (kind == BlockKind::flat) return {light.surface.x, light.surface.y, light.surface.z};
     if (kind < BlockKind::flat) return {};
     return with_directional_basis(kind, [&](auto basis) {
-        const auto numbers = shlm::numbers_of<decltype(basis)>(light, block.unit_normal());
+        const auto numbers = shlm::numbers_of<decltype(basis)>(light, block.surface.unit_normal());
         return std::vector<float>(numbers.begin(), numbers.end());
     });
 }
-
-/// All that the choice of blocks needs of one face.
-struct FaceCosts {
-    std::vector<BlockCosts> cost;
-    bool flat = false;
-};
 
 }  // namespace
 
@@ -80,25 +60,33 @@ struct AdaptiveMap::Draft {
 /// Goes down from the largest block and draws what was chosen.
 class AdaptiveMap::Drawing {
   public:
-    Drawing(const LightPyramid& pyramid, const BlockChoice& choice, Draft& draft)
-        : pyramid_(pyramid), choice_(choice), draft_(draft) {
-        draft_.node.push_back(0);
-        draw(0, pyramid.levels() - 1, 0, 0);
+    static Draft draft_of(const LightPyramid& pyramid, const FaceBlocks& blocks) {
+        Drawing drawing(pyramid, blocks);
+        drawing.draft_.node.push_back(0);
+        drawing.draw(0, pyramid.levels() - 1, 0, 0);
+        return std::move(drawing.draft_);
     }
 
   private:
+    Drawing(const LightPyramid& pyramid, const FaceBlocks& blocks)
+        : pyramid_(pyramid), choice_(blocks.choice) {
+        draft_.face = face_index(pyramid.face().region, pyramid.face().back);
+        draft_.flat = blocks.flat;
+        draft_.normal = pyramid.largest_block().surface.unit_normal();
+    }
+
     void draw(std::size_t node, std::size_t level, std::uint32_t x, std::uint32_t y) {
         const bool inside = x < pyramid_.width(level) && y < pyramid_.height(level);
         const std::uint8_t chosen = inside ? choice_.of_block[pyramid_.index(level, x, y)]
                                            : static_cast<std::uint8_t>(BlockKind::uncovered);
         if (chosen != divided) {
             const auto kind = static_cast<BlockKind>(chosen);
-            draft_.node[node] = block_node(kind, 0) | static_cast<Node>(draft_.block.size());
-            if (kind == BlockKind::uncovered)
-                draft_.block.push_back({kind, {}, {}});
-            else
-                draft_.block.push_back({kind, pyramid_.block(level, x, y).unit_normal(),
-                                        kept_numbers(kind, pyramid_.block(level, x, y))});
+            draft_.node[node] = block_node(kind, draft_.block.size());
+            draft_.block.push_back({kind, {}, {}});
+            if (kind == BlockKind::uncovered) return;
+            const LightBlock& block = pyramid_.block(level, x, y);
+            draft_.block.back().normal = block.surface.unit_normal();
+            draft_.block.back().number = kept_numbers(kind, block);
             return;
         }
         const std::size_t first = draft_.node.size();
@@ -109,68 +97,22 @@ class AdaptiveMap::Drawing {
 
     const LightPyramid& pyramid_;
     const BlockChoice& choice_;
-    Draft& draft_;
+    Draft draft_;
 };
 
 AdaptiveMap::AdaptiveMap(const TexelSums<AdaptiveModel>& sums, const PreparedTexels& texels,
                          float watts_per_flux, double wanted_error, bool smooth)
     : smooth_(smooth), places_(texels.layout), face_(2 * places_.region_count()) {
-    const std::vector<RegionFace> faces = faces_of(texels.layout);
-    std::vector<LightPyramid> pyramid;
-    pyramid.reserve(faces.size());
-    for (const RegionFace& face : faces) pyramid.emplace_back(sums, texels, watts_per_flux, face);
-    const LightStatistics statistics = light_statistics(pyramid);
-
-    std::vector<FaceCosts> costs(faces.size());
-    tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t f) {
-        costs[f] = {block_costs(pyramid[f], texels.normals[faces[f].region], statistics),
-                    is_flat(pyramid[f])};
-    });
-    double area = 0;
-    for (const LightPyramid& one : pyramid) area += one.block(one.levels() - 1, 0, 0).area;
-
-    const auto choose = [&](double byte_price) {
-        std::vector<BlockChoice> choices(faces.size());
-        tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t f) {
-            choices[f] = choose_blocks(pyramid[f], costs[f].cost, !costs[f].flat, byte_price);
-        });
-        return choices;
-    };
-    const auto error_of = [&](const std::vector<BlockChoice>& choices) {
-        const double error_sq =
-            std::accumulate(choices.begin(), choices.end(), 0.0,
-                            [](double sum, const BlockChoice& choice) { return sum + choice.error_sq; });
-        return area > 0 ? std::sqrt(error_sq / area) : 0;
-    };
-    // The highest price at which the error is small enough. The error rises with it, in steps. Where it
-    // cannot be small enough, a twentieth more than the least, for half the bytes or less.
-    std::vector<BlockChoice> choices = choose(0);
-    const double allowed = std::max(wanted_error, 1.05 * error_of(choices));
-    double low = -60, high = 60;  // binary logarithm of the price, in units of the scene's area
-    for (int i = 0; i < 24; ++i) {
-        const double middle = (low + high) / 2;
-        std::vector<BlockChoice> tried = choose(area * std::exp2(middle));
-        if (error_of(tried) <= allowed) {
-            low = middle;
-            choices = std::move(tried);
-        } else {
-            high = middle;
-        }
-    }
-    estimated_error_ = error_of(choices);
-
-    std::vector<Draft> drafts(faces.size());
-    tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t f) {
-        const LightPyramid& one = pyramid[f];
-        drafts[f].face = 2 * faces[f].region + (faces[f].back ? 1 : 0);
-        drafts[f].flat = costs[f].flat;
-        drafts[f].normal = one.block(one.levels() - 1, 0, 0).unit_normal();
-        Drawing(one, choices[f], drafts[f]);
-    });
-    assemble(std::move(drafts));
+    const std::vector<LightPyramid> pyramids = light_pyramids(sums, texels, watts_per_flux);
+    const MapBlocks blocks = search_blocks(pyramids, texels.normals, wanted_error);
+    estimated_error_ = blocks.error;
+    std::vector<Draft> drafts(pyramids.size());
+    tbb::parallel_for(std::size_t{0}, pyramids.size(),
+                      [&](std::size_t f) { drafts[f] = Drawing::draft_of(pyramids[f], blocks.face[f]); });
+    assemble(drafts);
 }
 
-void AdaptiveMap::assemble(std::vector<Draft>&& drafts) {
+void AdaptiveMap::assemble(std::span<const Draft> drafts) {
     float largest = 0;
     std::size_t nodes = 0, numbers = 0;
     for (const Draft& draft : drafts) {
@@ -178,7 +120,8 @@ void AdaptiveMap::assemble(std::vector<Draft>&& drafts) {
         for (const Draft::Block& block : draft.block) {
             ++blocks_[static_cast<std::size_t>(block.kind)];
             numbers += block.number.size() + (draft.flat || block.kind == BlockKind::uncovered ? 0 : 2);
-            for (std::size_t i = 0; i < block_light_numbers(block.kind); ++i)
+            const std::size_t light_numbers = block_light_numbers(block.kind);
+            for (std::size_t i = 0; i < light_numbers; ++i)
                 largest = std::max(largest, std::abs(block.number[i]));
         }
     }
@@ -201,9 +144,9 @@ void AdaptiveMap::assemble(std::vector<Draft>&& drafts) {
             if (!draft.flat && block.kind != BlockKind::uncovered)
                 for (const std::uint16_t half_of_normal : pack_normal(block.normal))
                     number_.push_back(half_of_normal);
+            const std::size_t light_numbers = block_light_numbers(block.kind);
             for (std::size_t i = 0; i < block.number.size(); ++i)
-                number_.push_back(
-                    half_of(block.number[i], i < block_light_numbers(block.kind) ? unit_ : 1).bits());
+                number_.push_back(half_of(block.number[i], i < light_numbers ? unit_ : 1).bits());
         }
     }
 }
@@ -213,9 +156,9 @@ std::size_t AdaptiveMap::bytes() const {
            number_.capacity() * sizeof(number_[0]);
 }
 
-AdaptiveMap::Found AdaptiveMap::find(const Face& face, std::uint32_t side, std::uint32_t x,
+AdaptiveMap::Found AdaptiveMap::find(const Face& face, const TexelRegion& region, std::uint32_t x,
                                      std::uint32_t y) const {
-    Found found{node_[face.root], 0, 0, side};
+    Found found{node_[face.root], 0, 0, std::bit_ceil(std::max(region.width, region.height))};
     while ((found.node & block_bit) == 0) {
         found.size /= 2;
         const std::uint32_t right = x >= found.x + found.size, below = y >= found.y + found.size;
@@ -238,59 +181,46 @@ class BlockMean {
         const std::uint16_t* stored = map_.number_.data() + (node & offset_mask);
         const Vec3 normal = face_.one_normal ? face_.normal : unpack_normal(stored[0], stored[1]);
         if (normal.dot(point_.geometric_normal) <= common::same_surface_cosine) return;
-        if (!face_.one_normal) stored += 2;
-        weight_ += weight;
-        if (kind == BlockKind::dark) return;
+        mean_.add(answer(kind, stored + (face_.one_normal ? 0 : 2), normal), weight);
+    }
+
+    [[nodiscard]] Rgb irradiance() const { return mean_.irradiance() * map_.unit_; }
+
+  private:
+    /// In units of the map's.
+    [[nodiscard]] Rgb answer(BlockKind kind, const std::uint16_t* stored, const Vec3& normal) const {
         const auto number = [&](std::size_t i) {
             half h;
             h.setBits(stored[i]);
             return static_cast<float>(h);
         };
-        if (kind == BlockKind::flat) {
-            sum_ += Rgb(number(0), number(1), number(2)) * weight;
-            return;
-        }
-        sum_ +=
-            with_directional_basis(kind,
-                                   [&](auto basis) {
-                                       using Basis = decltype(basis);
-                                       typename Basis::Numbers numbers;
-                                       for (std::size_t i = 0; i < numbers.size(); ++i)
-                                           numbers[i] = number(i);
-                                       return Basis::irradiance(
-                                           numbers, normal, typename Basis::Question(point_.shading_normal));
-                                   }) *
-            weight;
+        if (kind == BlockKind::dark) return {0, 0, 0};
+        if (kind == BlockKind::flat) return {number(0), number(1), number(2)};
+        return with_directional_basis(kind, [&](auto basis) {
+            using Basis = decltype(basis);
+            typename Basis::Numbers numbers;
+            for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = number(i);
+            return Basis::irradiance(numbers, normal, typename Basis::Question(point_.shading_normal));
+        });
     }
 
-    /// In units of the map's.
-    [[nodiscard]] Rgb irradiance() const {
-        Rgb result(0, 0, 0);
-        if (weight_ == 0) return result;
-        for (int c = 0; c < 3; ++c) result[c] = std::max(sum_[c], 0.0f) / weight_;
-        return result;
-    }
-
-  private:
     const AdaptiveMap& map_;
     const AdaptiveMap::Face& face_;
     const common::SurfacePoint& point_;
-    float weight_ = 0;
-    Rgb sum_{0, 0, 0};
+    IrradianceMean mean_;
 };
 
 common::Rgb AdaptiveMap::irradiance(const common::SurfacePoint& point) const {
     const std::optional<TexelPlace> place = places_.find(point);
     if (!place) return {0, 0, 0};
     const TexelRegion& region = places_.region(*place);
-    const Face& face = face_[2 * std::size_t{place->region} + (place->back ? 1 : 0)];
-    const std::uint32_t side = std::bit_ceil(std::max(region.width, region.height));
+    const Face& face = face_[face_index(place->region, place->back)];
     const std::uint32_t x = place->column(region), y = place->row(region);
-    const Found own = find(face, side, x, y);
+    const Found own = find(face, region, x, y);
     BlockMean mean(*this, face, point);
     if (!smooth_) {
         mean.add(own.node, 1);
-        return mean.irradiance() * unit_;
+        return mean.irradiance();
     }
 
     // Across the nearer border on either axis: the blocks there, and how far into them.
@@ -308,11 +238,11 @@ common::Rgb AdaptiveMap::irradiance(const common::SurfacePoint& point) const {
     Found beside{}, below{};
     float share_x = 0, share_y = 0;
     if (has_x) {
-        beside = find(face, side, static_cast<std::uint32_t>(over_x), y);
+        beside = find(face, region, static_cast<std::uint32_t>(over_x), y);
         share_x = share(from_x, beside.size);
     }
     if (has_y) {
-        below = find(face, side, x, static_cast<std::uint32_t>(over_y));
+        below = find(face, region, x, static_cast<std::uint32_t>(over_y));
         share_y = share(from_y, below.size);
     }
     mean.add(own.node, (1 - share_x) * (1 - share_y));
@@ -320,9 +250,20 @@ common::Rgb AdaptiveMap::irradiance(const common::SurfacePoint& point) const {
     if (share_y > 0) mean.add(below.node, (1 - share_x) * share_y);
     if (share_x > 0 && share_y > 0)
         mean.add(
-            find(face, side, static_cast<std::uint32_t>(over_x), static_cast<std::uint32_t>(over_y)).node,
+            find(face, region, static_cast<std::uint32_t>(over_x), static_cast<std::uint32_t>(over_y)).node,
             share_x * share_y);
-    return mean.irradiance() * unit_;
+    return mean.irradiance();
+}
+
+std::optional<AdaptiveMap::BlockAt> AdaptiveMap::block_at(const common::SurfacePoint& point) const {
+    const std::optional<TexelPlace> place = places_.find(point);
+    if (!place) return std::nullopt;
+    const TexelRegion& region = places_.region(*place);
+    const Found own = find(face_[face_index(place->region, place->back)], region, place->column(region),
+                           place->row(region));
+    const BlockKind kind = kind_of(own.node);
+    if (kind == BlockKind::uncovered) return std::nullopt;
+    return BlockAt{kind, own.size};
 }
 
 }  // namespace shlm

@@ -1,10 +1,8 @@
 // A light map of blocks: each as large as its light lets it, and with no more numbers than its light needs.
 #pragma once
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include "common/estimator/irradiance_estimator.h"
-#include "shlm/block_choice.h"
+#include "shlm/light_pyramid.h"
 #include "shlm/settings.h"
 #include "shlm/texel_places.h"
 
@@ -33,6 +31,13 @@ class AdaptiveMap {
     /// blocks: smooth ones have less.
     [[nodiscard]] double estimated_error() const { return estimated_error_; }
 
+    /// Whose light a point shows, were the map not smooth. Nothing where no block answers.
+    struct BlockAt {
+        BlockKind kind;
+        std::uint32_t width;  ///< texels a side
+    };
+    [[nodiscard]] std::optional<BlockAt> block_at(const common::SurfacePoint& point) const;
+
     /// How many blocks there are of each kind.
     [[nodiscard]] const std::array<std::size_t, block_kinds>& blocks() const { return blocks_; }
 
@@ -55,8 +60,9 @@ class AdaptiveMap {
     struct Draft;
     class Drawing;
 
-    [[nodiscard]] Found find(const Face& face, std::uint32_t side, std::uint32_t x, std::uint32_t y) const;
-    void assemble(std::vector<Draft>&& drafts);
+    [[nodiscard]] Found find(const Face& face, const TexelRegion& region, std::uint32_t x,
+                             std::uint32_t y) const;
+    void assemble(std::span<const Draft> drafts);
 
     bool smooth_;
     TexelPlaces places_;

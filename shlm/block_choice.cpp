@@ -55,7 +55,7 @@ BlockChoice choose_blocks(const LightPyramid& pyramid, std::span<const BlockCost
             for (std::uint32_t x = 0; x < pyramid.width(level); ++x) {
                 const std::size_t b = pyramid.index(level, x, y);
                 const LightBlock& block = pyramid.block(level, x, y);
-                if (block.area == 0) continue;  // uncovered, and costs nothing
+                if (block.surface.area == 0) continue;  // uncovered, and costs nothing
                 const Kept kept = cheapest(costs[b], with_normals, byte_price);
                 choice.of_block[b] = static_cast<std::uint8_t>(kept.kind);
                 best[b] = kept.cost;
@@ -66,7 +66,6 @@ BlockChoice choose_blocks(const LightPyramid& pyramid, std::span<const BlockCost
                 best[b] = division;
             }
     choice.error_sq = best.back().error_sq;
-    choice.bytes = best.back().bytes;
     return choice;
 }
 

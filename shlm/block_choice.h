@@ -11,7 +11,6 @@ inline constexpr std::uint8_t divided = 0xff;
 struct BlockChoice {
     std::vector<std::uint8_t> of_block;  ///< a BlockKind or `divided`, as block_costs has its blocks
     double error_sq = 0;                 ///< summed as BlockCosts::error_sq
-    double bytes = 0;
 };
 
 /// Bytes that a block costs in the finished map (adaptive_map.h) when it is kept as one of a kind, with its

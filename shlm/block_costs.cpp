@@ -70,15 +70,15 @@ class CostsOfFace {
         const LightBlock& block = pyramid_.block(level, x, y);
         BlockCosts& costs = costs_[pyramid_.index(level, x, y)];
         SquareSums sums;
-        if (block.area == 0) return sums;
-        if (around.hits_per_area == 0 || (block.hits >= hits_to_know && block.one_surface))
-            around = {block.light().surface, block.hits / block.area};
+        if (block.surface.area == 0) return sums;
+        if (around.hits_per_area == 0 || (block.hits >= hits_to_know && block.surface.one))
+            around = {block.light().surface, block.hits / block.surface.area};
         if (level == 0)
             sums = texel_sums(block, around);
         else
             pyramid_.for_children(level, x, y,
                                   [&](auto cx, auto cy) { sums += visit(level - 1, cx, cy, around); });
-        costs.may_be_one = block.one_surface;
+        costs.may_be_one = block.surface.one;
         set_errors(block, around, sums, costs);
         return sums;
     }
@@ -87,11 +87,11 @@ class CostsOfFace {
         SquareSums sums;
         sums.texels = 1;
         const Rgb own = block.light().surface;
-        const double noise = noise_of(block.area, around);
+        const double noise = noise_of(block.surface.area, around);
         for (std::size_t c = 0; c < 3; ++c) {
             const auto channel = static_cast<int>(c);
             const double e = own[channel], brightness_sq = square(around.irradiance[channel]);
-            const double weight = block.area / (brightness_sq + statistics_.epsilon);
+            const double weight = block.surface.area / (brightness_sq + statistics_.epsilon);
             sums.weight[c] = weight;
             sums.first[c] = weight * e;
             sums.second[c] = weight * e * e;
@@ -122,13 +122,13 @@ class CostsOfFace {
             costs.error_sq[static_cast<std::size_t>(kind)] = static_cast<float>(error_sq / 3);
         };
         set(BlockKind::dark, dark);
-        const double direction = relative_light * noise_of(block.area, around) * normals_.sine_sq();
+        const double direction = relative_light * noise_of(block.surface.area, around) * normals_.sine_sq();
         for (std::size_t k = static_cast<std::size_t>(BlockKind::flat); k < block_kinds; ++k) {
             const auto kind = static_cast<BlockKind>(k);
             double left_out = 0;
             if (!normals_.bent.empty() && kind != BlockKind::L2)
                 left_out = std::max(
-                    left_out_by(kind, light, block.unit_normal(), sums) -
+                    left_out_by(kind, light, block.surface.unit_normal(), sums) -
                         largest_noise(direction * (order_2_noise - direction_noise[k]), direction_squares),
                     0.0);
             set(kind, by_space + noise + left_out + direction * direction_noise[k]);
@@ -184,13 +184,13 @@ std::vector<double> noise_ratios(const LightPyramid& pyramid) {
         for (std::uint32_t y = 0; y < pyramid.height(level); ++y)
             for (std::uint32_t x = 0; x < pyramid.width(level); ++x) {
                 const LightBlock& block = pyramid.block(level, x, y);
-                if (!block.one_surface || block.hits < least_hits || block.hits > most_hits) continue;
+                if (!block.surface.one || block.hits < least_hits || block.hits > most_hits) continue;
                 const double mean = common::mean_component(block.light().surface);
                 double spread = 0;
                 bool alike = mean > 0;
                 pyramid.for_children(level, x, y, [&](auto cx, auto cy) {
                     const LightBlock& part = pyramid.block(level - 1, cx, cy);
-                    alike = alike && part.area > 0.2 * block.area;
+                    alike = alike && part.surface.area > 0.2 * block.surface.area;
                     const double difference = common::mean_component(part.light().surface) - mean;
                     spread += difference * difference / 4;
                 });
@@ -207,9 +207,9 @@ LightStatistics light_statistics(std::span<const LightPyramid> pyramids) {
     double area = 0, light = 0;
     std::vector<double> ratios;
     for (const LightPyramid& pyramid : pyramids) {
-        const LightBlock& all = pyramid.block(pyramid.levels() - 1, 0, 0);
-        area += all.area;
-        light += all.area * double{common::mean_component(all.light().surface)};
+        const LightBlock& all = pyramid.largest_block();
+        area += all.surface.area;
+        light += all.surface.area * double{common::mean_component(all.light().surface)};
         const std::vector<double> found = noise_ratios(pyramid);
         ratios.insert(ratios.end(), found.begin(), found.end());
     }

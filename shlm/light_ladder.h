@@ -19,6 +19,10 @@ enum class BlockKind : std::uint8_t {
 };
 inline constexpr std::size_t block_kinds = 7;
 
+/// As a method's name has them.
+inline constexpr std::array<const char*, block_kinds> block_kind_names = {"uncovered", "dark", "flat", "AD",
+                                                                          "H4",        "YL2",  "L2"};
+
 /// Numbers that a block of that kind keeps.
 inline constexpr std::array<std::size_t, block_kinds> block_numbers = {0,
                                                                        0,

@@ -8,9 +8,9 @@
 
 #include "common/estimator/irradiance_estimator.h"
 #include "shlm/harmonics.h"
+#include "shlm/irradiance_mean.h"
 #include "shlm/stored_texel.h"
 #include "shlm/texel_blocks.h"
-#include "shlm/texel_mean.h"
 #include "shlm/texel_sums.h"
 
 namespace shlm {
@@ -31,21 +31,26 @@ class LightMap {
             texels_ = std::move(finished);
         } else {
             unit_ = unit_for_halves<B>(finished);
+            float largest_area = 0;
+            for (const Texel<B>& texel : finished) largest_area = std::max(largest_area, texel.face.area);
             texels_.reserve(finished.size());
-            for (const Texel<B>& texel : finished) texels_.push_back(in_halves(texel, unit_));
+            for (const Texel<B>& texel : finished) texels_.push_back(in_halves(texel, unit_, largest_area));
         }
     }
 
     /// Irradiance for the shading normal, W/m^2: the weighted mean over the texels that the lookup finds.
     /// Never negative. Zero where it finds none.
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const {
-        TexelMean<B> mean(point.shading_normal);
+        const typename B::Question question(point.shading_normal);
+        IrradianceMean mean;
         std::visit(
             [&](const auto& lookup) {
                 lookup.visit(
-                    point, [&](std::uint32_t i) -> const TexelFace& { return texels_[i].face; },
+                    point, [&](std::uint32_t i) { return texels_[i].face.unpacked(); },
                     [&](std::uint32_t i, float weight) {
-                        mean.add(texels_[i].numbers(), texels_[i].face.normal, weight);
+                        const Texel<B, Number>& texel = texels_[i];
+                        mean.add(B::irradiance(texel.numbers(), texel.face.unpacked().normal, question),
+                                 weight);
                     });
             },
             lookup_);

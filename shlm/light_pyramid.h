@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "shlm/block_surface.h"
 #include "shlm/light_ladder.h"
 #include "shlm/prepared_texels.h"
 #include "shlm/texel_sums.h"
@@ -13,16 +14,10 @@ namespace shlm {
 using AdaptiveModel = TexelModel<2, ShWeight::normalised>;
 
 struct LightBlock {
-    double area = 0;  ///< covered, world units squared
+    BlockSurface surface;
     double hits = 0;
-    Imath::V3d normal{0, 0, 0};  ///< times area
-    Imath::V3d center{0, 0, 0};  ///< times area
-    bool one_surface = true;     ///< nearly flat and hanging together: may be one block of the map
     std::array<float, 3 * AdaptiveModel::summed> watts{};  ///< as TexelSum::value
 
-    [[nodiscard]] common::Vec3 unit_normal() const {
-        return area > 0 ? common::Vec3(normal.normalized()) : common::Vec3(0, 0, 1);
-    }
     [[nodiscard]] BlockLight light() const;
 };
 
@@ -34,13 +29,19 @@ struct RegionFace {
 
 class LightPyramid {
   public:
+    LightPyramid() = default;  ///< without levels
     LightPyramid(const TexelSums<AdaptiveModel>& sums, const PreparedTexels& texels, float watts_per_flux,
                  const RegionFace& face);
+
+    [[nodiscard]] const RegionFace& face() const { return face_; }
 
     /// Level 0 has a block for each texel, the last level has one.
     [[nodiscard]] std::size_t levels() const { return level_.size(); }
     [[nodiscard]] std::uint32_t width(std::size_t level) const { return level_[level].width; }
     [[nodiscard]] std::uint32_t height(std::size_t level) const { return level_[level].height; }
+
+    /// That covers all.
+    [[nodiscard]] const LightBlock& largest_block() const { return level_.back().block.front(); }
 
     [[nodiscard]] const LightBlock& block(std::size_t level, std::uint32_t x, std::uint32_t y) const {
         return level_[level].block[std::size_t{y} * level_[level].width + x];
@@ -69,9 +70,14 @@ class LightPyramid {
         std::vector<LightBlock> block;  ///< row by row
     };
 
-    void join(std::size_t level, double texel_width);
+    void join(std::size_t level, double width_of_texel);
 
+    RegionFace face_{};
     std::vector<Level> level_;
 };
+
+/// One for each face of the layout.
+[[nodiscard]] std::vector<LightPyramid> light_pyramids(const TexelSums<AdaptiveModel>& sums,
+                                                       const PreparedTexels& texels, float watts_per_flux);
 
 }  // namespace shlm

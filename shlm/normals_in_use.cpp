@@ -1,5 +1,7 @@
 #include "shlm/normals_in_use.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +13,7 @@ namespace {
 using common::Scene;
 using common::Vec3;
 
-constexpr std::size_t samples = 32;          // per region
-constexpr float straight_cosine = 0.99985f;  // 1 degree
+constexpr std::size_t samples = 32;  // per region
 
 struct RegionSurface {
     std::vector<std::uint32_t> triangle;
@@ -64,9 +65,10 @@ NormalsInUse normals_of(const Scene& scene, const RegionSurface& surface) {
 }  // namespace
 
 std::vector<NormalsInUse> normals_in_use(const Scene& scene, const TexelLayout& layout) {
-    std::vector<NormalsInUse> normals;
-    for (const RegionSurface& surface : surfaces_of(scene, layout))
-        normals.push_back(normals_of(scene, surface));
+    const std::vector<RegionSurface> surfaces = surfaces_of(scene, layout);
+    std::vector<NormalsInUse> normals(surfaces.size());
+    tbb::parallel_for(std::size_t{0}, surfaces.size(),
+                      [&](std::size_t r) { normals[r] = normals_of(scene, surfaces[r]); });
     return normals;
 }
 

@@ -7,6 +7,9 @@
 
 namespace shlm {
 
+/// Cosine of the degree within which normals count as one.
+inline constexpr float straight_cosine = 0.99985f;
+
 /// Shading normals all over one region of the layout.
 struct NormalsInUse {
     /// Unit, in a frame whose z is the surface's normal there: some, each for the same share of the area.

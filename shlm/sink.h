@@ -9,7 +9,7 @@ namespace shlm {
 template <class Model>
 class Sink {
   public:
-    /// `texels` must outlive the sink and its map; `least_hits` as in TexelBlocks.
+    /// `texels` must outlive the sink; `least_hits` as in TexelBlocks.
     Sink(const PreparedTexels& texels, const Gather& gather, const Quantum& quantum,
          std::uint64_t least_hits = default_least_hits)
         : texels_(&texels), gather_(gather), least_hits_(least_hits), accumulator_(texels.layout, quantum) {}

@@ -1,4 +1,4 @@
-// A texel as the finished map stores it: floats, or halves of them.
+// A texel as the finished map stores it: floats, or halves of them and a packed face.
 #pragma once
 
 #include <Imath/half.h>
@@ -9,18 +9,36 @@
 #include <span>
 
 #include "shlm/basis.h"
+#include "shlm/packed_normal.h"
 #include "shlm/texel_lookup.h"
 
 namespace shlm {
 
 using Imath::half;
 
+/// A TexelFace in six bytes: its area a 65535th of the largest one's or more, in that unit.
+struct PackedFace {
+    std::array<std::uint16_t, 2> normal{};
+    std::uint16_t area = 0;
+
+    PackedFace() = default;
+    PackedFace(const TexelFace& face, float largest_area) {
+        if (face.area == 0) return;
+        normal = pack_normal(face.normal);
+        area = static_cast<std::uint16_t>(std::max(std::lround(face.area / largest_area * 0xffff), 1l));
+    }
+
+    [[nodiscard]] TexelFace unpacked() const {
+        return {unpack_normal(normal[0], normal[1]), static_cast<float>(area)};
+    }
+};
+
 /// A texel that a gather can find. `Number`: float or half.
 template <Basis B, class Number = float>
 struct Texel {
     static constexpr std::size_t count = number_count<B>;
 
-    TexelFace face;
+    std::conditional_t<std::is_same_v<Number, float>, TexelFace, PackedFace> face;
     std::array<Number, count> stored;
 
     /// Those in W/m^2 in units of the map's (LightMap::unit).
@@ -32,7 +50,7 @@ struct Texel {
 
     /// For a shading normal, in units of the map's; may be negative.
     [[nodiscard]] common::Rgb irradiance(const common::Vec3& shading_normal) const {
-        return B::irradiance(numbers(), face.normal, typename B::Question(shading_normal));
+        return B::irradiance(numbers(), face.unpacked().normal, typename B::Question(shading_normal));
     }
 };
 
@@ -59,9 +77,10 @@ template <Basis B>
     return half(std::clamp(number / unit, -largest, largest));
 }
 
+/// `unit` of the numbers; `largest_area` of all texels of the map.
 template <Basis B>
-[[nodiscard]] Texel<B, half> in_halves(const Texel<B>& texel, float unit) {
-    Texel<B, half> result{texel.face, {}};
+[[nodiscard]] Texel<B, half> in_halves(const Texel<B>& texel, float unit, float largest_area) {
+    Texel<B, half> result{{texel.face, largest_area}, {}};
     for (std::size_t i = 0; i < result.stored.size(); ++i)
         result.stored[i] = half_of(texel.stored[i], i < B::light_numbers ? unit : 1);
     return result;

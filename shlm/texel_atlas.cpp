@@ -7,8 +7,7 @@ TexelAtlas::TexelAtlas(const TexelLayout& layout) {
         if (region.width == 0) continue;
         rectangles_.push_back({region.first_texel, region.width, region.height});
         if (region.both_faces)
-            rectangles_.push_back(
-                {region.first_texel + region.texels_per_face(), region.width, region.height});
+            rectangles_.push_back({region.first_texel_of(true), region.width, region.height});
         width_ = std::max(width_, region.width);
     }
     std::stable_sort(rectangles_.begin(), rectangles_.end(),

@@ -21,6 +21,11 @@ struct TexelRegion {
     bool both_faces = false;
 
     [[nodiscard]] std::uint32_t texels_per_face() const { return width * height; }
+
+    /// Of its front's rectangle, or its back's.
+    [[nodiscard]] std::uint32_t first_texel_of(bool back) const {
+        return first_texel + (back ? texels_per_face() : 0);
+    }
 };
 
 /// Everything that finding a hit's texel needs to know of its triangle, on one cache line.
@@ -75,16 +80,18 @@ class TexelLayout {
     std::size_t texel_count_ = 0;
 };
 
+/// Column or row of the texel that a place on the rectangle lies in, or of the nearest where rounding took it
+/// beyond the border.
+[[nodiscard]] inline std::uint32_t texel_along(float position, std::uint32_t count) {
+    return static_cast<std::uint32_t>(std::clamp(static_cast<int>(position), 0, static_cast<int>(count) - 1));
+}
+
 /// Index of the texel that the point lies in; `front` says on which face.
 [[nodiscard]] inline std::uint32_t texel_at(const TriangleTexels& triangle, float u, float v, bool front) {
     const common::Vec2 at = triangle.corner + triangle.edge_u * u + triangle.edge_v * v;
-    const auto clamp_to = [](float value, std::uint32_t count) {
-        return static_cast<std::uint32_t>(
-            std::clamp(static_cast<int>(value), 0, static_cast<int>(count) - 1));
-    };
     const std::uint32_t back = front ? 0 : triangle.width * triangle.height;
-    return triangle.first_texel + back + clamp_to(at.y, triangle.height) * triangle.width +
-           clamp_to(at.x, triangle.width);
+    return triangle.first_texel + back + texel_along(at.y, triangle.height) * triangle.width +
+           texel_along(at.x, triangle.width);
 }
 
 }  // namespace shlm

@@ -15,21 +15,18 @@ namespace shlm {
 /// What a lookup knows of a texel of the finished map.
 struct TexelFace {
     common::Vec3 normal;  ///< unit, out of the face
-    float area;           ///< world units squared; 0: no triangle covers the texel
+    float area;           ///< one unit for all texels of a map; 0: no triangle covers the texel
 
     [[nodiscard]] bool looks_the_way_of(const common::SurfacePoint& point) const {
         return area > 0 && normal.dot(point.geometric_normal) > common::same_surface_cosine;
     }
+
+    [[nodiscard]] const TexelFace& unpacked() const { return *this; }
 };
 
 // Each lookup says which texels of the layout the finished map holds, in its own order, and calls
 // `use(index, weight)` for those that answer for a point; `face(index)` is the TexelFace of one of them.
 // Weights need not add up to 1.
-
-/// Of the rectangle that the place is on.
-[[nodiscard]] inline std::uint32_t first_texel(const TexelRegion& region, const TexelPlace& place) {
-    return region.first_texel + (place.back ? region.texels_per_face() : 0);
-}
 
 /// The texel that the point lies in. Nothing where it has none.
 class OwnTexelLookup {
@@ -43,7 +40,8 @@ class OwnTexelLookup {
         const std::optional<TexelPlace> place = places_.find(point);
         if (!place) return;
         const TexelRegion& region = places_.region(*place);
-        use(first_texel(region, *place) + place->row(region) * region.width + place->column(region), 1.0f);
+        use(region.first_texel_of(place->back) + place->row(region) * region.width + place->column(region),
+            1.0f);
     }
 
     [[nodiscard]] std::size_t bytes() const { return places_.bytes(); }
@@ -69,7 +67,7 @@ class BilinearLookup {
         const TexelRegion& region = places_.region(*place);
         const common::Vec2 at = place->at - common::Vec2(0.5f, 0.5f);
         const float left = std::floor(at.x), top = std::floor(at.y);
-        const std::uint32_t first = first_texel(region, *place);
+        const std::uint32_t first = region.first_texel_of(place->back);
         for (int dy = 0; dy < 2; ++dy)
             for (int dx = 0; dx < 2; ++dx) {
                 const int x = static_cast<int>(left) + dx, y = static_cast<int>(top) + dy;
@@ -80,7 +78,7 @@ class BilinearLookup {
                     first + static_cast<std::uint32_t>(y) * region.width + static_cast<std::uint32_t>(x);
                 const float across = dx == 0 ? 1 - (at.x - left) : at.x - left;
                 const float down = dy == 0 ? 1 - (at.y - top) : at.y - top;
-                if (const TexelFace& found = face(texel); found.looks_the_way_of(point))
+                if (const TexelFace found = face(texel); found.looks_the_way_of(point))
                     use(texel, across * down * found.area);
             }
     }
@@ -108,7 +106,7 @@ class NearestTexelsLookup {
         index_.search(point.position, nearest,
                       [&](std::uint32_t i) { return face(i).looks_the_way_of(point); });
         for (const common::Neighbour& neighbour : nearest.found()) {
-            const TexelFace& found = face(neighbour.index);
+            const TexelFace found = face(neighbour.index);
             use(neighbour.index, found.area * found.normal.dot(point.geometric_normal));
         }
     }

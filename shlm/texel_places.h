@@ -1,4 +1,5 @@
-// Where surface points lie among the texels, for finished maps: in a quarter of the bytes that taking hits needs.
+// Where surface points lie among the texels, for finished maps: in a quarter of the bytes that taking hits
+// needs.
 #pragma once
 
 #include <optional>
@@ -15,17 +16,12 @@ struct TexelPlace {
     common::Vec2 at;       ///< in texels of the rectangle
 
     /// Column and row of its texel in that region.
-    [[nodiscard]] std::uint32_t column(const TexelRegion& in) const { return clamped(at.x, in.width); }
-    [[nodiscard]] std::uint32_t row(const TexelRegion& in) const { return clamped(at.y, in.height); }
-
-    static std::uint32_t clamped(float value, std::uint32_t count) {
-        return static_cast<std::uint32_t>(
-            std::clamp(static_cast<int>(value), 0, static_cast<int>(count) - 1));
-    }
+    [[nodiscard]] std::uint32_t column(const TexelRegion& in) const { return texel_along(at.x, in.width); }
+    [[nodiscard]] std::uint32_t row(const TexelRegion& in) const { return texel_along(at.y, in.height); }
 };
 
-/// 16 bytes per triangle: its corners are rounded to 2^-16 of their region's width and height, a hundredth of a
-/// texel in regions of 655.
+/// 16 bytes per triangle: its corners are rounded to 2^-16 of their region's width and height, a hundredth of
+/// a texel in regions of 655.
 class TexelPlaces {
   public:
     explicit TexelPlaces(const TexelLayout& layout);
@@ -37,7 +33,8 @@ class TexelPlaces {
         const TexelRegion& in = regions_[triangle.region];
         if (!point.front && !in.both_faces) return std::nullopt;
         const auto along = [&](std::size_t axis, std::uint32_t texels) {
-            const float a = triangle.corner[axis], b = triangle.corner[2 + axis], c = triangle.corner[4 + axis];
+            const float a = triangle.corner[axis], b = triangle.corner[2 + axis],
+                        c = triangle.corner[4 + axis];
             return (a + point.surface.u * (b - a) + point.surface.v * (c - a)) *
                    (static_cast<float>(texels) / 0xffff);
         };

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "common/core/threads.h"
-#include "shlm/octahedral_normal.h"
 #include "tests/scene_builder.h"
 #include "tests/statistics.h"
 
@@ -53,20 +52,6 @@ shlm::TexelSums<AdaptiveModel> sums_of(const PreparedTexels& texels, const Vec3&
 
 std::size_t count_of(const AdaptiveMap& map, BlockKind kind) {
     return map.blocks()[static_cast<std::size_t>(kind)];
-}
-
-TEST(OctahedralNormal, IsWithinItsRounding) {
-    std::mt19937 engine(1);
-    std::normal_distribution<float> normal;
-    for (int i = 0; i < 10000; ++i) {
-        const Vec3 n = Vec3(normal(engine), normal(engine), normal(engine)).normalized();
-        const auto [x, y] = shlm::pack_normal(n);
-        EXPECT_LT((shlm::unpack_normal(x, y) - n).length(), 1e-4f);
-    }
-    for (const Vec3& n : {Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(0, -1, 0)}) {
-        const auto [x, y] = shlm::pack_normal(n);
-        EXPECT_LT((shlm::unpack_normal(x, y) - n).length(), 1e-4f);
-    }
 }
 
 TEST(AdaptiveMap, OneLightOnAFlatFloorIsOneNumber) {

@@ -116,8 +116,9 @@ TEST_F(MeasureMethod, GivesTheMemoryBack) {
 
 TEST_F(MeasureMethod, NeedsNoMoreThanWasComputed) {
     if (sanitized) GTEST_SKIP() << "sanitizers add to all memory";
-    for (const char* name : {"photonmap/flann", "photonmap/nanoflann", "photonmap/grid",
-                             "photonmap/grid/r0.000001", "photonmap/flann-incremental", "shlm"})
+    for (const char* name :
+         {"photonmap/flann", "photonmap/nanoflann", "photonmap/grid", "photonmap/grid/r0.000001",
+          "photonmap/flann-incremental", "shlm", "shlm/L2/radiance/own/half", "shlm/a5"})
         for (const std::uint64_t hits : {10'000, 1'000'000}) {
             const std::size_t needed = bench::needed_bytes(bench::parse_method("", name), {}, hits);
             const bench::Measurement m = measure(name, hits, needed);

@@ -35,6 +35,11 @@ class Fit : public Command {
     }
 };
 
+/// Whose hits are those of a pilot.
+bool is_adaptive(const Json& choice) {
+    return choice["method"].get<std::string>().starts_with("shlm/a");
+}
+
 double sum_of_squares(const Json& row) {
     double sum = 0;
     for (const char* part : {"noise", "blur", "truncation"}) sum += std::pow(row[part].get<double>(), 2);
@@ -56,7 +61,10 @@ TEST_F(Fit, ChoosesBothKindsAndSplitsTheirErrors) {
         EXPECT_TRUE(choice["method"].get<std::string>().starts_with(*kind == 'l' ? "shlm/" : "photonmap/"));
         EXPECT_NEAR(std::pow(choice["error"].get<double>(), 2), sum_of_squares(choice), 1e-9);
         EXPECT_LE(choice["error"], choice["bound"]);
-        EXPECT_NEAR(choice["bound"].get<double>(), target, 0.01) << "no more hits than it takes";
+        EXPECT_LE(choice["bound"].get<double>(), target + 1e-6);
+        if (!is_adaptive(choice)) {
+            EXPECT_GT(choice["bound"].get<double>(), target - 0.01) << "no more hits than it takes";
+        }
         EXPECT_GT(choice["seconds"], 0);
         EXPECT_GT(choice["bytes"], 0);
         EXPECT_FALSE(entry.contains("verified"));
@@ -74,7 +82,9 @@ TEST_F(Fit, MeetsTheTargetThatItWasGiven) {
             EXPECT_GE(runs[i]["hits"], found[kind]["choice"]["hits"]);
             // The points are others, and coarser ones, than the fit's.
             EXPECT_LT(runs[i]["error"], 1.2 * target) << kind;
-            EXPECT_GT(runs[i]["error"], target / 2) << kind << ": far more than was asked for";
+            if (!is_adaptive(found[kind]["choice"])) {
+                EXPECT_GT(runs[i]["error"], target / 2) << kind << ": far more than was asked for";
+            }
         }
     }
 }
@@ -88,6 +98,40 @@ TEST_F(Fit, WritesWhatItSays) {
     EXPECT_NE(ended.out.find(name), std::string::npos) << ended.out;
     EXPECT_NE(text_of(path("out/fit.md")).find("| " + name + " |"), std::string::npos);
     EXPECT_EQ(found["light_maps"][0], found["light_map"]["choice"]);
+}
+
+TEST_F(Fit, ExplainsWhereErrorArisesAndWhatIsKept) {
+    const Ended ended = run(fit({"--explain", "--least", "bytes", "--out", path("out")}));
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_EQ(files_in(path("out")),
+              (std::set<std::string>{"fit.json", "fit.md", "explanation.json", "explanation.png"}));
+    const Json found = Json::parse(text_of(path("out/fit.json")));
+    EXPECT_TRUE(is_adaptive(found["light_map"]["choice"])) << "the fewest bytes";
+    const Json& surfaces = found["explanation"];
+    EXPECT_EQ(surfaces.size(), 7u) << "five walls and two boxes";
+    double points = 0, error_share = 0, error_sq = 0;
+    for (const Json& surface : surfaces) {
+        points += surface["points"].get<double>();
+        error_share += surface["error_share"].get<double>();
+        error_sq += surface["points"].get<double>() * std::pow(surface["error"].get<double>(), 2);
+        double kept = 0;
+        for (const auto& [kind, share] : surface["blocks"]["kinds"].items()) kept += share.get<double>();
+        EXPECT_NEAR(kept, 1, 1e-9);
+        EXPECT_GT(surface["blocks"]["median_width"], 0);
+    }
+    EXPECT_NEAR(points, 1, 1e-9);
+    EXPECT_NEAR(error_share, 1, 1e-9);
+    const double error = found["light_map"]["choice"]["error"];
+    EXPECT_NEAR(std::sqrt(error_sq), error, 0.2 * error) << "negative squares of surfaces count as none";
+    EXPECT_NE(text_of(path("out/fit.md")).find("explanation.png"), std::string::npos);
+    EXPECT_NE(ended.out.find("| surface |"), std::string::npos) << ended.out;
+}
+
+TEST_F(Fit, ExplainsWhatComesNearestToATargetOutOfReach) {
+    const Json found = json_of({"--explain"}, "0.1%");
+    EXPECT_FALSE(found["light_map"]["reached"].get<bool>());
+    for (const Json& surface : found["explanation"])
+        EXPECT_EQ(surface["blocks"]["kinds"].size(), 1u) << "one basis everywhere";
 }
 
 TEST_F(Fit, ByBytesIsTheSameAgainOnAnyNumberOfThreads) {

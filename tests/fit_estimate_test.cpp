@@ -199,6 +199,12 @@ TEST(FitHits, DoubtTakesMoreOrForbids) {
     EXPECT_TRUE(hits_for(model, 0.05, 0.9));
 }
 
+TEST(FitHits, OfAnAdaptiveMapAreThePilots) {
+    const ErrorModel model{.pilot_hits = 1e6, .noise_sq = 0.0016, .blur_sq = 0.0009, .at_pilot_alone = true};
+    EXPECT_EQ(hits_for(model, 0.051, 0), 1e6);
+    EXPECT_FALSE(hits_for(model, 0.049, 0)) << "whatever more hits would do";
+}
+
 // Along a chain.
 
 TEST(FitChain, FinerMapsBlurLessAndAreNoisier) {

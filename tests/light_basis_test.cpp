@@ -189,7 +189,7 @@ TEST(Halves, AreWithinTheirRoundingWhateverTheLightsUnit) {
             texels.push_back(texel_of(unit * std::ldexp(1.7f, -exponent)));
         const float in_unit = shlm::unit_for_halves<Harmonics<0>>(texels);
         for (const auto& texel : texels) {
-            const auto numbers = shlm::in_halves(texel, in_unit).numbers();
+            const auto numbers = shlm::in_halves(texel, in_unit, 1).numbers();
             for (std::size_t i = 0; i < numbers.size(); ++i)
                 EXPECT_NEAR(numbers[i] * in_unit, texel.stored[i], std::ldexp(texel.stored[i], -11));
         }
@@ -200,7 +200,7 @@ TEST(Halves, OfADarkMapAreDark) {
     const std::vector<shlm::Texel<Harmonics<0>>> texels(3, texel_of(0));
     const float unit = shlm::unit_for_halves<Harmonics<0>>(texels);
     EXPECT_EQ(unit, 1);
-    EXPECT_EQ(shlm::in_halves(texels[0], unit).irradiance({0, 0, 1}), Rgb(0, 0, 0));
+    EXPECT_EQ(shlm::in_halves(texels[0], unit, 1).irradiance({0, 0, 1}), Rgb(0, 0, 0));
 }
 
 TEST(Halves, HalveTheNumbersBytesOfAMap) {
@@ -208,7 +208,23 @@ TEST(Halves, HalveTheNumbersBytesOfAMap) {
     shlm::Sink<shlm::PaperModel> sink(texel.prepared(), shlm::OwnTexel{}, shlm::Quantum({1, 1, 1}));
     const auto floats = sink.finish(1);
     const auto halves = sink.finish<Harmonics<2>, shlm::half>(1, shlm::OwnTexel{}, 0);
-    EXPECT_EQ(floats.bytes() - halves.bytes(), 27 * 2 - 2) << "27 halves are rounded up to whole floats";
+    EXPECT_EQ(floats.bytes() - halves.bytes(), 27 * 2 + 10) << "and a face takes 6 bytes in place of 16";
+}
+
+TEST(PackedFace, IsWithinItsRounding) {
+    const common::Vec3 normal = common::Vec3(0.3f, -0.5f, 0.2f).normalized();
+    for (const float area : {1.0f, 0.5f, 0.001f}) {
+        const shlm::TexelFace face = shlm::PackedFace({normal, 4 * area}, 4).unpacked();
+        EXPECT_LT((face.normal - normal).length(), 1e-4f);
+        EXPECT_NEAR(face.area / 0xffff, area, 0.5 / 0xffff);
+    }
+}
+
+TEST(PackedFace, KnowsASliverFromNothing) {
+    const common::Vec3 up(0, 0, 1);
+    EXPECT_GT(shlm::PackedFace({up, 1e-12f}, 1).unpacked().area, 0);
+    EXPECT_EQ(shlm::PackedFace({up, 0}, 1).unpacked().area, 0);
+    EXPECT_EQ(shlm::PackedFace({{}, 0}, 0).unpacked().area, 0) << "a map without any surface";
 }
 
 }  // namespace

@@ -62,8 +62,8 @@ SurfacePoint back_of(const Scene& scene, const SurfaceId& surface) {
     return common::surface_point_at(scene, surface, scene.geometric_normal[surface.triangle]);
 }
 
-/// Calls `use(s, t)` for points all over the unit square: odd multiples of 1 / 256, none of them on a border of up to
-/// 64 texels a side.
+/// Calls `use(s, t)` for points all over the unit square: odd multiples of 1 / 256, none of them on a border
+/// of up to 64 texels a side.
 template <class Use>
 void for_points_of_square(Use use) {
     constexpr int side = 128;
@@ -178,6 +178,27 @@ TEST(BilinearTexels, ReproduceARamp) {
         const double expected = ramp({inside(s), inside(t), 0});
         const Rgb answer = map.irradiance(front_of(scene, on_quad(0, s, t)));
         for (int c = 0; c < 3; ++c) ASSERT_NEAR(answer[c], (c + 1) * expected, 1e-5) << s << ", " << t;
+    });
+}
+
+/// Of cut texels, whose areas differ a hundredfold.
+TEST(BilinearTexels, InHalvesAreWithinTheirRounding) {
+    Scene scene;
+    add(scene,
+        with_lightmap_uv(quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                         {{0, 0}, {0.93f, 0.04f}, {0.97f, 0.95f}, {0.06f, 0.91f}}),
+        plain);
+    const PreparedTexels texels = texels_of(scene, 300);
+    shlm::TexelSums<Model> sums(texels.layout.texel_count(), shlm::Quantum(Rgb(1, 1, 1) * 0x1p-20f));
+    for (std::uint32_t i = 0; i < texels.geometry.size(); ++i)
+        if (texels.geometry[i].area > 0)
+            sums.add(i, texels.geometry[i].normal, 1,
+                     Rgb(1, 1, 1) * (static_cast<float>(odd_value(i)) * texels.geometry[i].area));
+    const LightMap floats(sums, texels, 1, Bilinear{}, 0);
+    const shlm::LightMap<shlm::Harmonics<Model::order>, shlm::half> halves(sums, texels, 1, Bilinear{}, 0);
+    for_points_of_square([&](float s, float t) {
+        const SurfacePoint point = front_of(scene, on_quad(0, s, t));
+        ASSERT_NEAR(halves.irradiance(point).x / floats.irradiance(point).x, 1, 0.01) << s << ", " << t;
     });
 }
 

@@ -246,9 +246,9 @@ double largest_answer(const shlm::TexelLight<Order>& held) {
     using Basis = shlm::Harmonics<Order>;
     double largest = 0;
     for (int tilt = -90; tilt <= 90; ++tilt) {
-        shlm::TexelMean<Basis> mean(direction(tilt * degrees));
-        mean.add(Basis::numbers_of(held, up), up, 1);
-        largest = std::max(largest, static_cast<double>(mean.irradiance().x));
+        const typename Basis::Question question(direction(tilt * degrees));
+        const Rgb answer = Basis::irradiance(Basis::numbers_of(held, up), up, question);
+        largest = std::max(largest, static_cast<double>(answer.x));
     }
     return largest;
 }
@@ -372,8 +372,7 @@ TEST(TexelModel, NoLightIsZero) {
             EXPECT_EQ(red.irradiance(normal).z, 0) << name_of(model.order, normal);
         }
         EXPECT_GT(red.irradiance(up).x, 0) << name_of(model.order, up);
-        EXPECT_EQ(shlm::TexelMean<shlm::Harmonics<Model::order>>(up).irradiance(), Rgb(0, 0, 0))
-            << "of no texels";
+        EXPECT_EQ(shlm::IrradianceMean().irradiance(), Rgb(0, 0, 0)) << "of no texels";
     });
 }
 

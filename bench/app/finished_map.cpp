@@ -1,6 +1,5 @@
 #include "bench/app/finished_map.h"
 
-#include "shlm/adaptive_map.h"
 #include "shlm/ambient_and_direction.h"
 #include "shlm/hemisphere_six.h"
 #include "shlm/luminance_four.h"
@@ -27,15 +26,19 @@ auto with_basis(LightBasis basis, Work work) {
 
 }  // namespace
 
+shlm::AdaptiveMap make_adaptive_map(const ShlmMethod& method, const shlm::Sink<shlm::AdaptiveModel>& sink,
+                                    const common::TraceReport& trace) {
+    return {sink.accumulator().sums(), sink.texels(), trace.watts_per_flux(),
+            method.wanted_error_percent / 100, std::holds_alternative<shlm::Bilinear>(method.gather)};
+}
+
 template <class Model>
 FinishedLightMap finished_map(const ShlmMethod& method, const shlm::Sink<Model>& sink,
                               const common::TraceReport& trace) {
     const float scale = trace.watts_per_flux();
     if constexpr (std::same_as<Model, shlm::AdaptiveModel>)
         if (method.basis == LightBasis::adaptive)
-            return FinishedLightMap(shlm::AdaptiveMap(sink.accumulator().sums(), sink.texels(), scale,
-                                                      method.wanted_error_percent / 100,
-                                                      std::holds_alternative<shlm::Bilinear>(method.gather)));
+            return FinishedLightMap(make_adaptive_map(method, sink, trace));
     return with_basis<Model>(method.basis, [&](auto basis) {
         using Basis = decltype(basis);
         if (method.in_halves)

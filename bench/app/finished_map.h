@@ -6,6 +6,7 @@
 
 #include "bench/app/methods.h"
 #include "common/tracer/trace_photons.h"
+#include "shlm/adaptive_map.h"
 
 namespace bench {
 
@@ -31,7 +32,12 @@ class FinishedLightMap {
 
 static_assert(common::IrradianceEstimator<FinishedLightMap>);
 
-/// What the method makes of a light map's sums. The sink's texels must outlive it.
+/// Of a method that makes one.
+[[nodiscard]] shlm::AdaptiveMap make_adaptive_map(const ShlmMethod& method,
+                                                  const shlm::Sink<shlm::AdaptiveModel>& sink,
+                                                  const common::TraceReport& trace);
+
+/// What the method makes of a light map's sums.
 template <class Model>
 [[nodiscard]] FinishedLightMap finished_map(const ShlmMethod& method, const shlm::Sink<Model>& sink,
                                             const common::TraceReport& trace);

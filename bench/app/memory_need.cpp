@@ -4,6 +4,7 @@
 
 #include "common/core/input_error.h"
 #include "common/core/memory_use.h"
+#include "shlm/block_costs.h"
 
 namespace bench {
 namespace {
@@ -17,13 +18,19 @@ constexpr double flann_incremental_bytes = 96;  // 75, and FLANN's array of poin
 constexpr double compact_photon_bytes = 26;     // 24, and partly filled pages while they are sorted
 constexpr double wave_bytes = 64e6;             // hits on their way to a store, or to their cells
 
+/// While an adaptive map is made: a pyramid of blocks, and for each what it costs and what becomes of it.
+constexpr double pyramid_bytes =
+    4.0 / 3 * (sizeof(shlm::LightBlock) + sizeof(shlm::BlockCosts) + 3 * sizeof(double));
+
 /// While it is filled, and a finished map beside it with its index.
 double texel_bytes(const ShlmMethod& method) {
-    return with_model(method, [](auto model) {
+    return with_model(method, [&](auto model) {
         using Model = decltype(model);
-        return static_cast<double>(shlm::TexelSums<Model>::bytes_per_texel() + sizeof(shlm::TexelGeometry) +
-                                   sizeof(shlm::Texel<shlm::Harmonics<Model::order>>) + 2 * sizeof(common::Vec3)) +
-               flann_bytes;
+        const double filled = shlm::TexelSums<Model>::bytes_per_texel() + sizeof(shlm::TexelGeometry);
+        if (method.basis == LightBasis::adaptive) return filled + pyramid_bytes;
+        const double finished =
+            sizeof(shlm::Texel<shlm::Harmonics<Model::order>>);  // halves are made from it
+        return filled + (method.in_halves ? 2 : 1) * finished + 2 * sizeof(common::Vec3) + flann_bytes;
     });
 }
 

@@ -16,6 +16,8 @@ const std::vector<std::string> bases = {"L0/normalised", "AD/radiance", "YL2/rad
 const std::vector<std::string> gathers = {"own", "bilinear", "knn4", "knn8"};
 const std::vector<std::string> kernels = {"disc", "epanechnikov"};
 constexpr double fewest_texels = 1024, most_texels = 4194304;
+const std::vector<double> adaptive_percents = {0.7, 1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32};
+const std::vector<double> adaptive_texels = {65536, 262144, 1048576};
 constexpr double largest_radius = 0.1, smallest_radius = 0.001;  // scene diagonals
 constexpr int radii = 14;
 constexpr double largest_share = 16384e-6, smallest_share = 0.125e-6;
@@ -38,6 +40,8 @@ std::string Candidate::name(std::uint64_t hits) const {
     switch (kind) {
         case CandidateKind::light_map:
             return fmt::format("shlm/{}/{}/t{:.0f}/h0/half", basis, gather, value);
+        case CandidateKind::adaptive_map:
+            return fmt::format("shlm/a{:g}/normalised/{}/t{:.0f}", value, gather, texels);
         case CandidateKind::photon_radius:
             return fmt::format("photonmap/compact/r{:.6g}/{}", value, basis);
         case CandidateKind::photon_share:
@@ -47,6 +51,7 @@ std::string Candidate::name(std::uint64_t hits) const {
 }
 
 std::string Candidate::chain() const {
+    if (is_adaptive()) return name(0);
     return fmt::format("{}/{}/{}", is_light_map() ? "shlm" : "photonmap", basis, gather);
 }
 
@@ -56,6 +61,8 @@ double Candidate::width() const {
             return 1 / std::sqrt(value);
         case CandidateKind::photon_radius:
             return value;
+        case CandidateKind::adaptive_map:
+            return 0;
         case CandidateKind::photon_share:
             break;
     }
@@ -78,6 +85,9 @@ std::vector<Candidate> all_candidates() {
         for (const std::string& gather : gathers)
             for (double texels = fewest_texels; texels <= most_texels; texels *= 4)
                 all.push_back({CandidateKind::light_map, basis, gather, texels});
+    for (const double texels : adaptive_texels)
+        for (const double percent : adaptive_percents)
+            all.push_back({CandidateKind::adaptive_map, "adaptive", "bilinear", percent, texels});
     for (const std::string& kernel : kernels) {
         for (int step = 0; step < radii; ++step)
             all.push_back({CandidateKind::photon_radius, kernel, "r", radius(step)});

@@ -53,12 +53,13 @@ std::string beyond(const Knowledge& known, const FitGoal& goal, const Proposal& 
     return memory.empty() ? "" : fmt::format("memory: {} with {:.3g} hits", memory, proposal.hits);
 }
 
-/// The candidate with the least bias, at the most hits that are allowed.
+/// The candidate with the least bias, at the most hits that are allowed. Not an adaptive map: its bias falls
+/// as hits rise.
 Choice out_of_reach(const Knowledge& known, const FitGoal& goal, bool light_maps) {
     Choice choice;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < known.candidates.size(); ++i) {
-        if (!is_known(known, i, light_maps)) continue;
+        if (!is_known(known, i, light_maps) || known.candidates[i].is_adaptive()) continue;
         const double upper = known.estimates.model[i]->upper_bias_sq(goal.z);
         if (upper >= least) continue;
         least = upper;

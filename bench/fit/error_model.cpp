@@ -15,6 +15,7 @@ std::optional<double> hits_for(const ErrorModel& model, double target, double z)
     const auto meets = [&](double hits) {
         return model.error_sq(hits) + z * model.deviation(hits) <= target * target;
     };
+    if (model.at_pilot_alone) return meets(model.pilot_hits) ? std::optional(model.pilot_hits) : std::nullopt;
     if (!meets(most)) return std::nullopt;
     if (meets(fewest)) return fewest;
     // Both parts fall with more hits.

@@ -8,12 +8,13 @@ namespace bench::fit {
 
 /// Relative and squared, mean over points and channels.
 struct ErrorModel {
-    double pilot_hits = 0;       ///< of one half
-    double noise_sq = 0;         ///< variance of one half
-    double blur_sq = 0;          ///< does not fall with more hits
-    double truncation_sq = 0;    ///< neither does this; light maps only
-    double bias_variance = 0;    ///< of the estimate of blur_sq + truncation_sq over pilots
-    double spread_variance = 0;  ///< variance_about the best answer, of the candidate's own halves
+    double pilot_hits = 0;        ///< of one half
+    double noise_sq = 0;          ///< variance of one half
+    double blur_sq = 0;           ///< does not fall with more hits
+    double truncation_sq = 0;     ///< neither does this; light maps only
+    double bias_variance = 0;     ///< of the estimate of blur_sq + truncation_sq over pilots
+    double spread_variance = 0;   ///< variance_about the best answer, of the candidate's own halves
+    bool at_pilot_alone = false;  ///< nothing is known of other numbers of hits: pilot_hits is all there is
 
     [[nodiscard]] double bias_sq() const { return blur_sq + truncation_sq; }
 
@@ -34,7 +35,8 @@ struct ErrorModel {
 };
 
 /// The fewest hits with which error_sq + z deviation is at most the target's square: a run then meets the
-/// target with the probability of a normal variable to be below z. None where no number of hits does.
+/// target with the probability of a normal variable to be below z. None where no number of hits does, or the
+/// pilot's do not and nothing is known of others.
 [[nodiscard]] std::optional<double> hits_for(const ErrorModel& model, double target, double z);
 
 }  // namespace bench::fit

@@ -47,7 +47,11 @@ void FitOptions::add_to(CLI::App& command) {
                        "A reference of the scene: then trace what was chosen and measure its error");
     command.add_option("--seeds", seeds, "Runs of each verification, other seeds than the pilot's")
         ->capture_default_str();
-    command.add_option("--out", out, "Folder for fit.json and fit.md");
+    command.add_option("--out", out, "Folder for fit.json, fit.md and the picture of --explain");
+    command.add_flag(
+        "--explain", explain,
+        "Say for each surface what the light map keeps there and what of its error arises there; "
+        "draw it, with --out");
     command.add_flag("--json", json, "Print JSON");
     command.add_flag("--list", list,
                      "Print the methods of the grid, for shlmbench study, and do nothing else");
@@ -66,6 +70,7 @@ FitPlan make_plan(const FitOptions& options) {
                                                          : parse_bytes("--max-memory", options.max_memory),
                  .reference = {},
                  .seeds = options.seeds,
+                 .explain = options.explain,
                  .out = {},
                  .scene = options.scene,
                  .settings = {},

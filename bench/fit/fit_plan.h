@@ -19,7 +19,7 @@ struct FitOptions {
     std::string file, target, least = "time", budget_bytes, budget_time, max_hits = "1e9", pilot = "8e6";
     std::string max_memory, verify, out;
     std::size_t seeds = 3;
-    bool json = false, list = false;
+    bool json = false, list = false, explain = false;
     SceneOptions scene;
     RunOptions run;
 
@@ -33,6 +33,7 @@ struct FitPlan {
     std::size_t max_bytes;
     std::optional<std::filesystem::path> reference;  ///< to verify with
     std::size_t seeds;                               ///< runs of each verification
+    bool explain;                                    ///< say why the light map is what it is
     std::optional<std::filesystem::path> out;        ///< exists and can be written to
     SceneOptions scene;
     MethodSettings settings;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/app/provenance.h"
+#include "bench/fit/explanation_table.h"
 #include "common/scene/fingerprint.h"
 
 namespace bench {
@@ -24,6 +25,13 @@ constexpr const char* definition =
     "the estimated error; their squares add up to its. bound: what nine of ten runs stay below if the "
     "estimates are "
     "right. All but `verified` is found without a reference.";
+
+constexpr const char* explanation_words =
+    "By mesh instance, the most error first: its share of the points, what of the map's squared error arises "
+    "there, and the error there alone with its parts, each by the same halves of the pilot as the map's own. "
+    "keeps: what its blocks keep, by their share of the picture; median block: the width of the block that "
+    "the "
+    "middle pixel sees, scene units.";
 
 Json proposal_as_json(const fit::FitResult& result, const fit::Proposal& proposal, double z) {
     const fit::Candidate& candidate = result.candidates[proposal.candidate];
@@ -69,6 +77,21 @@ Json rows_of(const fit::FitResult& result, std::span<const fit::Proposal> propos
     return rows;
 }
 
+/// Of a candidate's value.
+const char* kind_name(fit::CandidateKind kind) {
+    switch (kind) {
+        case fit::CandidateKind::light_map:
+            return "texels";
+        case fit::CandidateKind::adaptive_map:
+            return "wanted percent";
+        case fit::CandidateKind::photon_radius:
+            return "radius";
+        case fit::CandidateKind::photon_share:
+            break;
+    }
+    return "share";
+}
+
 /// What is known of every candidate, for whoever wants to hold it against a search.
 Json models_as_json(const fit::FitResult& result) {
     Json rows = Json::array();
@@ -77,9 +100,7 @@ Json models_as_json(const fit::FitResult& result) {
         const fit::Candidate& candidate = result.candidates[i];
         const fit::ErrorModel& model = *result.estimates.model[i];
         rows.push_back({{"chain", candidate.chain()},
-                        {"kind", candidate.is_light_map()                              ? "texels"
-                                 : candidate.kind == fit::CandidateKind::photon_radius ? "radius"
-                                                                                       : "share"},
+                        {"kind", kind_name(candidate.kind)},
                         {"value", candidate.value},
                         {"measured", static_cast<bool>(result.estimates.measured[i])},
                         {"pilot_hits", model.pilot_hits},
@@ -182,6 +203,8 @@ std::string fit_as_text(const Json& document) {
         if (const std::string measured = verified_text(entry); !measured.empty())
             text += "  " + measured + "\n";
     }
+    if (document.contains("explanation"))
+        text += "\n" + explanation_text(document["explanation"], rows_of_table);
     return text;
 }
 
@@ -208,6 +231,9 @@ std::string fit_as_markdown(const Json& document) {
             "|---|---|---|---|---|---|---|---|---|\n";
         for (const Json& row : rows) text += row_text(markdown_row, row);
     }
+    if (document.contains("explanation"))
+        text += fmt::format("\n## Why this light map\n\n{}\n\n{}\n![](explanation.png)\n", explanation_words,
+                            explanation_text(document["explanation"], rows_of_table));
     return text;
 }
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint64_t first_photon_of_b = std::uint64_t{1} << 40;
 constexpr double least_hits_per_texel = 4;
+constexpr double most_texels_per_hit = 4;  // of an adaptive map: more make the same blocks of it, slowly
 
 /// Candidates that one store serves, by their places in the list.
 struct Group {
@@ -111,6 +112,8 @@ bool is_measurable(const Candidate& candidate, std::uint64_t hits) {
     switch (candidate.kind) {
         case CandidateKind::light_map:
             return candidate.value * least_hits_per_texel <= n;
+        case CandidateKind::adaptive_map:
+            return candidate.texels <= most_texels_per_hit * n;
         case CandidateKind::photon_share:
             return candidate.value * n >= least_nearest && candidate.value * n <= most_nearest;
         case CandidateKind::photon_radius:

@@ -31,8 +31,14 @@ double price_of(const FitGoal& goal, const FitCost& cost) {
 }
 
 /// What the candidate would cost at the very best: no bias beyond what is certain, no allowance for chance.
+/// Of an adaptive map: if all of its error fell as noise does.
 double least_price(const State& state, std::size_t i) {
     const ErrorModel& model = *state.result.estimates.model[i];
+    if (model.at_pilot_alone) {
+        const double times = model.error_sq(model.pilot_hits) / (state.goal.target * state.goal.target);
+        return price_of(state.goal, cost_at(state.candidates[i], *state.result.costs[i],
+                                            model.pilot_hits * std::max(times, 1.0)));
+    }
     const double certain_bias_sq =
         state.result.estimates.measured[i] ? std::max(0.0, model.lower_bias_sq(state.goal.z)) : 0.0;
     const double left = state.goal.target * state.goal.target - certain_bias_sq;
@@ -68,10 +74,18 @@ bool is_worth_tracing(const State& state, std::size_t i) {
     return std::isfinite(least) && least <= best && !is_settled(state, i);
 }
 
+/// Whether a map that wants so much error of itself may be the cheapest that reaches the target.
+bool is_near_target(const Candidate& candidate, const FitGoal& goal) {
+    constexpr double least = 0.4, most = 1.5;
+    const double wanted = candidate.value / 100 / goal.target;
+    return !candidate.is_adaptive() || (wanted >= least && wanted <= most);
+}
+
 std::vector<std::size_t> to_trace(const State& state, std::uint64_t hits, bool first) {
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < state.candidates.size(); ++i)
-        if (is_measurable(state.candidates[i], hits) && (first || is_worth_tracing(state, i)))
+        if (is_measurable(state.candidates[i], hits) && is_near_target(state.candidates[i], state.goal) &&
+            (first || is_worth_tracing(state, i)))
             chosen.push_back(i);
     return chosen;
 }
@@ -112,6 +126,30 @@ bool choose_both(State& state) {
     return true;
 }
 
+/// An adaptive map that was chosen for its time has as many hits as a pilot had, and the next smaller pilot
+/// had too few: looks between the two.
+void look_between(State& state) {
+    constexpr int steps = 3;  // to a factor of growth^(1/8)
+    const std::size_t i = state.result.light_map.proposal.candidate;
+    if (state.goal.least_bytes || !state.result.light_map.reached || !state.candidates[i].is_adaptive())
+        return;
+    double enough_hits = state.result.light_map.proposal.hits, few_hits = enough_hits / growth;
+    for (int step = 0; step < steps; ++step) {
+        const auto hits = static_cast<std::uint64_t>(std::sqrt(few_hits * enough_hits));
+        const PilotSample known = state.samples[i];
+        run_pilot(state.subject, state.candidates, std::array{i}, hits, state.samples);
+        (void)choose_both(state);
+        const Proposal& proposal = state.result.light_map.proposal;
+        if (state.result.light_map.reached && proposal.candidate == i) {
+            enough_hits = proposal.hits;
+            continue;
+        }
+        few_hits = static_cast<double>(hits);
+        state.samples[i] = known;
+        (void)choose_both(state);
+    }
+}
+
 }  // namespace
 
 FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchLimits& limits) {
@@ -133,10 +171,12 @@ FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchL
     if (!known)
         throw common::InputError(
             "--pilot: too few hits to tell the blur of any light map; take more, or free memory");
+    look_between(state);
     state.result.light_maps = proposals(knowledge_of(state), goal, true);
     state.result.photon_maps = proposals(knowledge_of(state), goal, false);
     state.result.pilot_seconds = watch.seconds();
     state.result.candidates = std::move(state.candidates);
+    state.result.samples = std::move(state.samples);
     return std::move(state.result);
 }
 

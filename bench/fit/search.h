@@ -16,6 +16,7 @@ struct SearchLimits {
 struct FitResult {
     std::vector<Candidate> candidates;
     SelfEstimates estimates;
+    std::vector<PilotSample> samples;             ///< in the candidates' order
     std::vector<std::optional<PilotCost>> costs;  ///< in the candidates' order
     Choice light_map, photon_map;
     std::vector<Proposal> light_maps, photon_maps;  ///< all that reach the target, the least cost first

@@ -99,7 +99,8 @@ ErrorModel model_of(std::size_t i, Candidates candidates, Samples samples, const
             .blur_sq = known - truncation,
             .truncation_sq = truncation,
             .bias_variance = bias_sq.variance(),
-            .spread_variance = variance_about(samples[i].halves, best, measure)};
+            .spread_variance = variance_about(samples[i].halves, best, measure),
+            .at_pilot_alone = candidates[i].is_adaptive()};
 }
 
 std::optional<SelfEstimates> estimate_by(Candidates candidates, Samples samples, const Measure& measure,

@@ -1,20 +1,18 @@
-// From the texels that answer for a point to its irradiance.
+// From the irradiance of all texels that answer for a point to the point's.
 #pragma once
 
-#include "shlm/basis.h"
+#include <algorithm>
+
+#include "common/core/vector.h"
 
 namespace shlm {
 
-/// The weighted mean of some texels' irradiance for one normal.
-template <Basis B>
-class TexelMean {
+/// The weighted mean of irradiances that may be negative.
+class IrradianceMean {
   public:
-    explicit TexelMean(const common::Vec3& shading_normal) : question_(shading_normal) {}
-
-    /// `face_normal` is the texel's.
-    void add(const typename B::Numbers& numbers, const common::Vec3& face_normal, float weight) {
+    void add(const common::Rgb& irradiance, float weight) {
         weight_ += weight;
-        sum_ += B::irradiance(numbers, face_normal, question_) * weight;
+        sum_ += irradiance * weight;
     }
 
     /// Never negative: what the truncated series takes below zero is cut off. Zero where nothing was added.
@@ -29,7 +27,6 @@ class TexelMean {
     [[nodiscard]] common::Rgb series() const { return weight_ == 0 ? common::Rgb(0, 0, 0) : sum_ / weight_; }
 
   private:
-    typename B::Question question_;
     float weight_ = 0;
     common::Rgb sum_{0, 0, 0};
 };

@@ -1,0 +1,105 @@
+#include "bench/fit/explanation.h"
+
+#include <algorithm>
+
+#include "bench/app/finished_map.h"
+#include "bench/fit/stop.h"
+#include "common/core/input_error.h"
+#include "common/core/interrupt.h"
+#include "common/core/progress.h"
+#include "common/view/visible_surfaces.h"
+#include "shlm/adaptive_map.h"
+
+namespace bench::fit {
+namespace {
+
+constexpr int picture_width = 240, picture_height = 135;
+
+/// Of the points on one instance; the others count nothing.
+Measure measure_of(const Measure& all, const FitPoints& points, const common::Scene& scene,
+                   std::uint32_t instance) {
+    Measure measure = all;
+    for (std::size_t i = 0; i < points.point.size(); ++i)
+        if (scene.instance_of[points.point[i].surface.triangle] != instance)
+            measure.weight[i] = common::Rgb(0, 0, 0);
+    return measure;
+}
+
+std::vector<SurfaceError> surface_errors(const FitResult& result, const PilotSubject& subject) {
+    const Proposal& choice = result.light_map.proposal;
+    const PilotSample& sample = result.samples[choice.candidate];
+    if (!sample.present()) return {};
+    const FitPoints& points = subject.points;
+    const common::Scene& scene = subject.loaded.scene;
+    const Measure all(result.estimates.best_answers, points.tile, points.tiles);
+    std::vector<double> points_of(scene.instance.size());
+    for (const common::SurfacePoint& point : points.point)
+        ++points_of[scene.instance_of[point.surface.triangle]];
+    std::vector<SurfaceError> surfaces;
+    for (std::uint32_t i = 0; i < points_of.size(); ++i) {
+        if (points_of[i] == 0) continue;
+        const Measure measure = measure_of(all, points, scene, i);
+        surfaces.push_back(
+            {.instance = i,
+             .points = points_of[i] / static_cast<double>(points.point.size()),
+             .noise_sq = noise_sq(sample.halves, measure) * sample.cost.hits / choice.hits,
+             .bias_sq = squared_difference(sample.halves, result.estimates.finest.truth, measure).value});
+    }
+    std::stable_sort(surfaces.begin(), surfaces.end(), [](const SurfaceError& a, const SurfaceError& b) {
+        return a.noise_sq + a.bias_sq > b.noise_sq + b.bias_sq;
+    });
+    return surfaces;
+}
+
+shlm::AdaptiveMap adaptive_map(const Method& method, std::uint64_t hits, const PilotSubject& subject) {
+    shlm::Sink<shlm::AdaptiveModel> sink(subject.prepared.texels_of(*method.light_map()), shlm::OwnTexel{},
+                                         shlm::Quantum(subject.source.power()));
+    common::Progress progress(method.name, "hits", hits);
+    const auto trace = common::trace_photons(subject.loaded.rays, subject.source, subject.seed,
+                                             {.hits = hits}, sink, [&](const common::TraceReport& so_far) {
+                                                 progress.show(so_far.hits);
+                                                 return !common::interrupted();
+                                             });
+    stop_if_interrupted();
+    return make_adaptive_map(*method.light_map(), sink, trace);
+}
+
+std::optional<SeenBlock> seen_block(const common::VisibleSurface& seen, const shlm::PreparedTexels& texels,
+                                    const common::Scene& scene, const std::string& basis,
+                                    const shlm::AdaptiveMap* adaptive) {
+    if (!seen.present) return std::nullopt;
+    const common::SurfaceId& surface = seen.point.surface;
+    const shlm::TriangleTexels& triangle = texels.layout.triangle(surface.triangle);
+    if (triangle.width == 0 || (!seen.point.front && !triangle.both_faces)) return std::nullopt;
+    const std::uint32_t texel = shlm::texel_at(triangle, surface.u, surface.v, seen.point.front);
+    SeenBlock block{scene.instance_of[surface.triangle], basis, std::sqrt(texels.geometry[texel].area)};
+    if (!adaptive) return block;
+    const auto at = adaptive->block_at(seen.point);
+    if (!at) return std::nullopt;
+    block.kind = shlm::block_kind_names[static_cast<std::size_t>(at->kind)];
+    block.width *= static_cast<float>(at->width);
+    return block;
+}
+
+}  // namespace
+
+Explanation explain(const FitResult& result, const PilotSubject& subject) {
+    const Proposal& choice = result.light_map.proposal;
+    if (choice.hits == 0) throw common::InputError("--explain: no light map could be measured");
+    const Candidate& candidate = result.candidates[choice.candidate];
+    const auto hits = static_cast<std::uint64_t>(choice.hits);
+    const Method method = parse_method("fit", candidate.name(hits));
+    const shlm::PreparedTexels& texels = subject.prepared.texels_of(*method.light_map());
+    std::optional<shlm::AdaptiveMap> adaptive;
+    if (candidate.is_adaptive()) adaptive = adaptive_map(method, hits, subject);
+
+    Explanation explanation{surface_errors(result, subject), picture_width, picture_height, {}};
+    const std::string basis = candidate.basis.substr(0, candidate.basis.find('/'));
+    for (const common::VisibleSurface& seen :
+         common::visible_surfaces(subject.loaded.rays, subject.loaded.camera, picture_width, picture_height))
+        explanation.pixel.push_back(
+            seen_block(seen, texels, subject.loaded.scene, basis, adaptive ? &*adaptive : nullptr));
+    return explanation;
+}
+
+}  // namespace bench::fit

@@ -1,0 +1,92 @@
+"""Draws what the light map that `shlmbench fit --explain` has chosen keeps, and where: explanation_chart.py FOLDER.
+
+Reads FOLDER/explanation.json and writes FOLDER/explanation.png: the picture that the camera sees, once by what each
+block keeps and once by how wide it is.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+from matplotlib.colors import LogNorm, to_rgb
+from matplotlib.patches import Patch
+from study_style import SMALL, Sheet
+from study_text import machine_text
+
+KINDS = {  # from few numbers to many
+    "dark": "#202020",
+    "flat": "#9ecae1",
+    "L0": "#9ecae1",
+    "AD": "#3c7d5a",
+    "YH4": "#7a2f8f",
+    "H4": "#e0a020",
+    "L1": "#ef7d4f",
+    "H6": "#c98a1b",
+    "YL2": "#b06cc4",
+    "L2": "#cf2f2a",
+    "L4": "#6d0f24",
+}
+NOTHING = "#ffffff"
+
+
+def grid_of(document, key):
+    return np.array(document[key]).reshape(document["height"], document["width"])
+
+
+def draw_kinds(axes, kinds):
+    image = np.empty(kinds.shape + (3,))
+    for kind in np.unique(kinds):
+        image[kinds == kind] = to_rgb(KINDS.get(kind, NOTHING))
+    axes.imshow(image, interpolation="nearest")
+    shown = [kind for kind in KINDS if (kinds == kind).any()]
+    share = {kind: 100 * (kinds == kind).sum() / (kinds != "").sum() for kind in shown}
+    axes.legend(
+        handles=[Patch(color=KINDS[kind], label=f"{kind} {share[kind]:.0f} %") for kind in shown],
+        loc="upper center",
+        bbox_to_anchor=(0.5, -0.02),
+        ncol=len(shown),
+        fontsize=SMALL + 0.5,
+        frameon=False,
+    )
+    axes.set_title("What a block keeps, with shares of the picture", fontsize=9)
+
+
+def draw_widths(figure, axes, widths):
+    seen = np.where(widths > 0, widths, np.nan)
+    shown = axes.imshow(seen, interpolation="nearest", cmap="viridis", norm=LogNorm(*widths_range(seen)))
+    bar = figure.colorbar(shown, ax=axes, orientation="horizontal", fraction=0.06, pad=0.03)
+    bar.ax.tick_params(labelsize=SMALL + 0.5)
+    axes.set_title("Width of a block, scene units", fontsize=9)
+
+
+def widths_range(seen):
+    """Without the slivers of texels that a triangle's edge has left."""
+    low, high = np.nanpercentile(seen, 1), np.nanmax(seen)
+    return (low, high) if low < high else (0.9 * high, 1.1 * high)
+
+
+def chart(document):
+    choice = document["choice"]
+    title = f"{document['scene']}, target {100 * document['target']:g} %: {choice['method']}"
+    words = (
+        f"{choice['hits']:.3g} hits, estimated relative RMS error {100 * choice['error']:.3g} %, {choice['bytes'] / 1e6:.3g} MB. "
+        f"White: no light map. Seed {document['seed']}; {machine_text(document['context'])}"
+    )
+    sheet = Sheet(1, 2, (5.2, 3.5), title, words, legend_lines=0, left=0.1)
+    kinds, widths = sheet.panels[0]
+    draw_kinds(kinds, grid_of(document, "kind"))
+    draw_widths(sheet.figure, widths, grid_of(document, "block_width"))
+    for axes in (kinds, widths):
+        axes.set_xticks([])
+        axes.set_yticks([])
+    return sheet
+
+
+def main():
+    folder = Path(sys.argv[1])
+    chart(json.loads((folder / "explanation.json").read_text())).save(folder / "explanation.png")
+
+
+if __name__ == "__main__":
+    main()

@@ -13,7 +13,8 @@ namespace {
 const std::vector<std::string> bases = {"L0/normalised", "AD/radiance", "YL2/radiance",
                                         "L1/radiance",   "H4/radiance", "L2/radiance",
                                         "L2/normalised", "L4/radiance", "L4/normalised"};
-const std::vector<std::string> gathers = {"own", "bilinear", "knn4", "knn8"};
+const std::vector<std::string> gathers = {"own", "bilinear", "bilinear/face", "knn4", "knn8"};
+const std::vector<std::string> adaptive_gathers = {"bilinear", "bilinear/face"};
 const std::vector<std::string> kernels = {"disc", "epanechnikov"};
 constexpr double fewest_texels = 1024, most_texels = 4194304;
 const std::vector<double> adaptive_percents = {0.7, 1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32};
@@ -85,9 +86,10 @@ std::vector<Candidate> all_candidates() {
         for (const std::string& gather : gathers)
             for (double texels = fewest_texels; texels <= most_texels; texels *= 4)
                 all.push_back({CandidateKind::light_map, basis, gather, texels});
-    for (const double texels : adaptive_texels)
-        for (const double percent : adaptive_percents)
-            all.push_back({CandidateKind::adaptive_map, "adaptive", "bilinear", percent, texels});
+    for (const std::string& gather : adaptive_gathers)
+        for (const double texels : adaptive_texels)
+            for (const double percent : adaptive_percents)
+                all.push_back({CandidateKind::adaptive_map, "adaptive", gather, percent, texels});
     for (const std::string& kernel : kernels) {
         for (int step = 0; step < radii; ++step)
             all.push_back({CandidateKind::photon_radius, kernel, "r", radius(step)});

@@ -79,7 +79,7 @@ Json explanation_as_json(const fit::Explanation& explanation, const common::Scen
     Json rows = Json::array();
     double whole = 0;
     for (const fit::SurfaceError& surface : explanation.surfaces)
-        whole += std::max(surface.noise_sq + surface.bias_sq, 0.0);
+        whole += surface.noise_sq + std::max(surface.bias_sq, 0.0);
     for (const fit::SurfaceError& surface : explanation.surfaces) {
         const double bias_sq = std::max(surface.bias_sq, 0.0), error_sq = surface.noise_sq + bias_sq;
         Json row = surface_as_json(scene, surface.instance, seen[surface.instance]);

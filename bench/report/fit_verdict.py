@@ -13,8 +13,8 @@ from fit_search import KINDS, cost, figure, read_fit
 from study_data import StudyError
 
 HEAD = (
-    "| scene | target % | map | hits | bytes | seconds | estimated % | measured % | runs that meet it |\n"
-    "|---|---|---|---|---|---|---|---|---|\n"
+    "| scene | target % | least | map | hits | bytes | seconds | estimated % | measured % | runs that meet it |\n"
+    "|---|---|---|---|---|---|---|---|---|---|\n"
 )
 
 
@@ -24,7 +24,7 @@ def bytes_text(size):
 
 def row(fit, kind):
     entry = fit[kind]
-    start = f"| {fit['scene']} | {figure(100 * fit['target'])} | "
+    start = f"| {fit['scene']} | {figure(100 * fit['target'])} | {fit['least']} | "
     if not entry["reached"]:
         return start + f"{kind.replace('_', ' ')}: {entry['reason']} | - | - | - | - | - | - |\n"
     choice = entry["choice"]

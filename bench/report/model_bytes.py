@@ -78,9 +78,8 @@ def draw(axes, found, title):
         if not points:
             continue
         style = {"color": colour, "label": kind, "markersize": 8 if kind == ADAPTIVE else 4}
-        joined = front(points) if kind in (ADAPTIVE, PHOTON_MAP) else points
         axes.plot(*zip(*points), MARKERS.get(kind, "o"), linestyle="none", **style)
-        axes.plot(*zip(*joined), color=colour, linewidth=1.3 if kind == ADAPTIVE else 0.6)
+        axes.plot(*zip(*front(points)), color=colour, linewidth=1.3 if kind == ADAPTIVE else 0.6)
     axes.set_xscale("log")
     axes.set_yscale("log")
     plain_axes(axes, title, "bytes of the finished map", "error, %")
@@ -103,16 +102,24 @@ def ratio(numerator, denominator):
     return "-" if math.isnan(numerator) else f"{numerator / denominator:.1f}"
 
 
+def short_name(method):
+    """a5 by coordinates, a5/face by faces."""
+    parts = method.split("/")
+    return parts[1] + ("/face" if "face" in parts else "")
+
+
 def table(scene, hits, found, places):
+    """A row for each adaptive map that no smaller one beats."""
     kept = front(uniform_of(found).values())
+    adaptive_front = front([p for m, p in found.items() if kind_of(m) == ADAPTIVE])
     photon_front = front([p for m, p in found.items() if kind_of(m) == PHOTON_MAP])
     lines = []
     for method, (size, error) in sorted(found.items(), key=lambda item: item[1]):
-        if kind_of(method) != ADAPTIVE:
+        if kind_of(method) != ADAPTIVE or (size, error) not in adaptive_front:
             continue
         uniform, photons = bytes_for(kept, error), bytes_for(photon_front, error)
         lines.append(
-            f"| {scene} | {hits:.0e} | {method.split('/')[1]} | {error:.2f} | {kib(size)} | {kib(uniform)} | {ratio(uniform, size)} | "
+            f"| {scene} | {hits:.0e} | {short_name(method)} | {error:.2f} | {kib(size)} | {kib(uniform)} | {ratio(uniform, size)} | "
             f"{kib(size - places)} | {kib(uniform - places)} | {ratio(uniform - places, size - places)} | {kib(photons)} |\n"
         )
     return "".join(lines)
@@ -140,7 +147,7 @@ def main():
     words = (
         "Relative root mean square error at the points that the camera sees (eps: a hundredth of the squared mean), "
         f"root of the mean square over {seeds} seeds, against the path traced reference; all maps have the same photons. "
-        "Thick line: adaptive maps; thin lines: uniform texels by basis (halves and floats), the front of the photon maps. "
+        "Points: all maps, texels by coordinates and by faces. Lines: those of a kind that no smaller one beats. Uniform texels are halves. "
         + machine_text(study.context)
     )
     columns = 2
@@ -160,7 +167,7 @@ def main():
     sheet.legend(len(COLOURS) + 1)
     sheet.save(out / "model-bytes.png")
     (out / "model-bytes.md").write_text(
-        text + "\nThe uniform map and the photon map are the smallest of the study with at most the same error, "
+        text + "\nAdaptive maps that no smaller one beats, by lightmap coordinates and by faces. The uniform map and the photon map are the smallest of the study with at most the same error, "
         "between neighbours on a straight line in log-log; -: none has it. Light alone: without the 16 bytes a triangle that say where "
         "it lies among the texels, which both kinds of light map have.\n"
     )

@@ -34,11 +34,12 @@ class FitChoice : public testing::Test {
         costs.push_back(PilotCost{.hits = 1e6, .trace_seconds = seconds, .bytes = bytes});
     }
 
-    [[nodiscard]] Knowledge known() const {
-        return {candidates, estimates, costs, settings, std::size_t{1} << 40};
+    [[nodiscard]] Choice chosen(bool light_maps, std::size_t max_bytes = std::size_t{1} << 40) const {
+        const std::vector<NeededHits> needed = needed_by_error(estimates, goal);
+        return choose({candidates, estimates, needed, costs, settings, max_bytes}, goal, light_maps);
     }
-    [[nodiscard]] Choice light_map() const { return choose(known(), goal, true); }
-    [[nodiscard]] Choice photon_map() const { return choose(known(), goal, false); }
+    [[nodiscard]] Choice light_map() const { return chosen(true); }
+    [[nodiscard]] Choice photon_map() const { return chosen(false); }
 };
 
 TEST_F(FitChoice, TakesTheLeastTime) {
@@ -83,9 +84,10 @@ TEST_F(FitChoice, KeepsWithinBudgets) {
 TEST_F(FitChoice, SaysHowManyHitsItWouldTake) {
     goal.max_hits = 1e6;
     EXPECT_FALSE(light_map().reached);
-    EXPECT_NE(light_map().reason.find("shlm/L2/radiance/own/t1024/h0/half takes 1.25e+06 hits, and --max-hits is "
-                                      "1e+06"),
-              std::string::npos)
+    EXPECT_NE(
+        light_map().reason.find("shlm/L2/radiance/own/t1024/h0/half takes 1.25e+06 hits, and --max-hits is "
+                                "1e+06"),
+        std::string::npos)
         << light_map().reason;
 }
 
@@ -103,10 +105,10 @@ TEST_F(FitChoice, SaysWhichBiasForbidsTheTarget) {
     const Choice choice = light_map();
     EXPECT_FALSE(choice.reached);
     EXPECT_EQ(choice.proposal.candidate, 1u) << "comes nearest";
-    EXPECT_NE(
-        choice.reason.find("2 % is below the bias of shlm/L2/radiance/own/t4096/h0/half, 2.24 % (blur 2.24 %, "
-                           "truncation 0 %)"),
-        std::string::npos)
+    EXPECT_NE(choice.reason.find(
+                  "2 % is below the bias of shlm/L2/radiance/own/t4096/h0/half, 2.24 % (blur 2.24 %, "
+                  "truncation 0 %)"),
+              std::string::npos)
         << choice.reason;
     EXPECT_NE(choice.reason.find("no setting of the grid reaches it"), std::string::npos);
     EXPECT_TRUE(photon_map().reached) << "the share has no blur";
@@ -128,9 +130,37 @@ TEST_F(FitChoice, SaysWhenNothingWasMeasured) {
 }
 
 TEST_F(FitChoice, LeavesOutWhatTheMemoryDoesNotHold) {
-    const Knowledge little{candidates, estimates, costs, settings, 100'000'000};
-    EXPECT_FALSE(choose(little, goal, false).reached);
-    EXPECT_TRUE(choose(little, goal, true).reached);
+    constexpr std::size_t little = 100'000'000;
+    EXPECT_FALSE(chosen(false, little).reached);
+    EXPECT_TRUE(chosen(true, little).reached);
+}
+
+TEST_F(FitChoice, AnAdaptiveMapTakesThePilotsHits) {
+    candidates[0] = {CandidateKind::adaptive_map, "adaptive", "bilinear", 4, 262144};
+    estimates.model[0]->at_pilot_alone = true;  // 0.0525 at a million hits
+    EXPECT_EQ(light_map().proposal.candidate, 1u) << "which reaches 0.05";
+    goal.target = 0.06;
+    EXPECT_EQ(light_map().proposal.candidate, 0u);
+    EXPECT_EQ(light_map().proposal.hits, 1e6);
+    goal.target = 0.02;
+    EXPECT_EQ(light_map().proposal.candidate, 1u)
+        << "what an adaptive map shows now is no bound of what it can";
+}
+
+TEST(NeededHits, AreMoreTheSurerOneMustBe) {
+    SelfEstimates estimates;
+    estimates.model = {ErrorModel{.pilot_hits = 1e6,
+                                  .noise_sq = 0.002,
+                                  .blur_sq = 0.001,
+                                  .bias_variance = 1e-8,
+                                  .spread_variance = 1e-8},
+                       std::nullopt};
+    estimates.measured = {true, false};
+    const auto needed = needed_by_error(estimates, {.target = 0.05, .z = 1});
+    EXPECT_LT(needed[0].least.value(), needed[0].likely.value());
+    EXPECT_LT(needed[0].likely.value(), needed[0].sure.value());
+    EXPECT_LT(needed[0].expected, 0.05);
+    EXPECT_FALSE(needed[1].least) << "nothing is known";
 }
 
 // The list of candidates.

@@ -18,6 +18,11 @@ const char* kind_name(bool light_maps) {
     return light_maps ? "light map" : "photon map";
 }
 
+std::string target_text(const FitGoal& goal) {
+    return goal.metric == Metric::flip ? fmt::format("a FLIP of {:g}", goal.target)
+                                       : fmt::format("{:g} %", 100 * goal.target);
+}
+
 /// Of seconds or bytes, as the goal has it; the other where these are the same.
 std::pair<double, double> price(const Proposal& proposal, const FitGoal& goal) {
     const auto& [seconds, bytes] = proposal.cost;
@@ -25,7 +30,8 @@ std::pair<double, double> price(const Proposal& proposal, const FitGoal& goal) {
 }
 
 Proposal proposal_at(const Knowledge& known, std::size_t i, double hits) {
-    return {i, hits, *known.estimates.model[i], cost_at(known.candidates[i], *known.costs[i], hits)};
+    return {i, hits, known.needed[i].expected, *known.estimates.model[i],
+            cost_at(known.candidates[i], *known.costs[i], hits)};
 }
 
 bool is_known(const Knowledge& known, std::size_t i, bool light_maps) {
@@ -53,6 +59,23 @@ std::string beyond(const Knowledge& known, const FitGoal& goal, const Proposal& 
     return memory.empty() ? "" : fmt::format("memory: {} with {:.3g} hits", memory, proposal.hits);
 }
 
+/// Why the one with the least bias does not reach the target either.
+std::string bias_forbids(const Proposal& least, const std::string& name, const FitGoal& goal,
+                         bool light_maps) {
+    const ErrorModel& model = least.model;
+    if (model.lower_bias_sq(goal.z) > goal.target * goal.target)
+        return fmt::format(
+            "{:g} % is below the bias of {}, {} (blur {}, truncation {}), the least of all {}s: "
+            "no setting of the grid reaches it",
+            100 * goal.target, name, percent(model.bias_sq()), percent(model.blur_sq),
+            percent(model.truncation_sq), kind_name(light_maps));
+    return fmt::format(
+        "{:g} % may be below the bias of {}, the least of all {}s: it is {}, and {} at most as "
+        "far as the pilot can tell; a larger --pilot knows more",
+        100 * goal.target, name, kind_name(light_maps), percent(model.bias_sq()),
+        percent(model.upper_bias_sq(goal.z)));
+}
+
 /// The candidate with the least bias, at the most hits that are allowed. Not an adaptive map: its bias falls
 /// as hits rise.
 Choice out_of_reach(const Knowledge& known, const FitGoal& goal, bool light_maps) {
@@ -60,30 +83,24 @@ Choice out_of_reach(const Knowledge& known, const FitGoal& goal, bool light_maps
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < known.candidates.size(); ++i) {
         if (!is_known(known, i, light_maps) || known.candidates[i].is_adaptive()) continue;
-        const double upper = known.estimates.model[i]->upper_bias_sq(goal.z);
-        if (upper >= least) continue;
-        least = upper;
+        if (known.needed[i].without_noise >= least) continue;
+        least = known.needed[i].without_noise;
         choice.proposal = proposal_at(known, i, std::min(goal.max_hits, most_hits(known.candidates[i])));
     }
     if (!std::isfinite(least)) {
         choice.reason = fmt::format("no {} of the grid could be measured", kind_name(light_maps));
         return choice;
     }
-    const ErrorModel& model = choice.proposal.model;
     const std::string name =
         known.candidates[choice.proposal.candidate].name(static_cast<std::uint64_t>(choice.proposal.hits));
-    const bool for_sure = model.lower_bias_sq(goal.z) > goal.target * goal.target;
-    choice.reason =
-        for_sure
-            ? fmt::format(
-                  "{:g} % is below the bias of {}, {} (blur {}, truncation {}), the least of all {}s: "
-                  "no setting of the grid reaches it",
-                  100 * goal.target, name, percent(model.bias_sq()), percent(model.blur_sq),
-                  percent(model.truncation_sq), kind_name(light_maps))
-            : fmt::format(
-                  "{:g} % may be below the bias of {}, the least of all {}s: it is {}, and {} at most as "
-                  "far as the pilot can tell; a larger --pilot knows more",
-                  100 * goal.target, name, kind_name(light_maps), percent(model.bias_sq()), percent(least));
+    if (goal.metric == Metric::flip)
+        choice.reason = fmt::format(
+            "a FLIP of {:g} is out of reach as far as the pilot can tell: {}, the nearest of all {}s, has up "
+            "to {:.3g} "
+            "without any noise",
+            goal.target, name, kind_name(light_maps), least);
+    else
+        choice.reason = bias_forbids(choice.proposal, name, goal, light_maps);
     return choice;
 }
 
@@ -93,7 +110,7 @@ std::vector<Proposal> proposals(const Knowledge& known, const FitGoal& goal, boo
     std::vector<Proposal> all;
     for (std::size_t i = 0; i < known.candidates.size(); ++i) {
         if (!is_known(known, i, light_maps)) continue;
-        auto hits = hits_for(*known.estimates.model[i], goal.target, goal.z);
+        std::optional<double> hits = known.needed[i].sure;
         if (!hits) continue;
         if (known.candidates[i].kind == CandidateKind::photon_share)
             hits = std::max(*hits, least_nearest / known.candidates[i].value);
@@ -111,8 +128,8 @@ Choice choose(const Knowledge& known, const FitGoal& goal, bool light_maps) {
         if (beyond(known, goal, proposal).empty()) return {true, "", proposal};
     const Proposal& cheapest = all.front();
     return {false,
-            fmt::format("every {} that reaches {:g} % is beyond what may be spent: {} takes {}",
-                        kind_name(light_maps), 100 * goal.target,
+            fmt::format("every {} that reaches {} is beyond what may be spent: {} takes {}",
+                        kind_name(light_maps), target_text(goal),
                         known.candidates[cheapest.candidate].name(static_cast<std::uint64_t>(cheapest.hits)),
                         beyond(known, goal, cheapest)),
             cheapest};

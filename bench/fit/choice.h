@@ -1,29 +1,19 @@
 // Which candidate reaches the target at least cost, and what forbids it where none does.
 #pragma once
 
-#include <limits>
 #include <string>
 
 #include "bench/app/methods.h"
 #include "bench/fit/cost_model.h"
-#include "bench/fit/self_estimates.h"
+#include "bench/fit/needed_hits.h"
 
 namespace bench::fit {
-
-/// What is wanted, and what may be spent on it.
-struct FitGoal {
-    double target = 0;  ///< relative RMS error
-    double z = 0;       ///< a run meets the target with the probability of a normal variable to be below z
-    bool least_bytes = false;  ///< bytes are to be few, else seconds
-    double budget_bytes = std::numeric_limits<double>::infinity();
-    double budget_seconds = std::numeric_limits<double>::infinity();
-    double max_hits = 0;
-};
 
 /// A candidate with the hits that it takes.
 struct Proposal {
     std::size_t candidate = 0;
     double hits = 0;
+    double expected = 0;  ///< the metric, with so many hits
     ErrorModel model;
     FitCost cost;
 };
@@ -39,6 +29,7 @@ struct Choice {
 struct Knowledge {
     std::span<const Candidate> candidates;
     const SelfEstimates& estimates;
+    std::span<const NeededHits> needed;
     std::span<const std::optional<PilotCost>> costs;
     const MethodSettings& settings;
     std::size_t max_bytes;  ///< that a method may need while it is made

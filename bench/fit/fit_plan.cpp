@@ -20,6 +20,9 @@ fit::FitGoal goal_of(const FitOptions& options) {
     fit::FitGoal goal{.target = parse_percentage("--target", options.target),
                       .z = z_for(2 * (1 - confidence)),
                       .max_hits = static_cast<double>(parse_count("--max-hits", options.max_hits))};
+    if (options.metric != "relmse" && options.metric != "flip")
+        throw common::InputError(fmt::format("--metric: '{}' is neither relmse nor flip", options.metric));
+    if (options.metric == "flip") goal.metric = fit::Metric::flip;
     if (options.least != "time" && options.least != "bytes")
         throw common::InputError(fmt::format("--least: '{}' is neither time nor bytes", options.least));
     goal.least_bytes = options.least == "bytes";
@@ -33,7 +36,9 @@ fit::FitGoal goal_of(const FitOptions& options) {
 
 void FitOptions::add_to(CLI::App& command) {
     command.add_option("SCENE", file, "glTF 2.0 file, .gltf or .glb");
-    command.add_option("--target", target, "The error to reach, relative RMS, such as 5%");
+    command.add_option("--target", target, "The error to reach, such as 5%");
+    command.add_option("--metric", metric, "Of the target: relmse, the root of it, or flip, 5% being 0.05")
+        ->capture_default_str();
     command.add_option("--least", least, "What is to be as little as can be: time or bytes")
         ->capture_default_str();
     command.add_option("--budget-bytes", budget_bytes, "Finished maps must be no larger, such as 100MiB");

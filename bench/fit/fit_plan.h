@@ -16,7 +16,8 @@ class App;
 namespace bench {
 
 struct FitOptions {
-    std::string file, target, least = "time", budget_bytes, budget_time, max_hits = "1e9", pilot = "8e6";
+    std::string file, target, least = "time", metric = "relmse", budget_bytes, budget_time, max_hits = "1e9",
+                              pilot = "8e6";
     std::string max_memory, verify, out;
     std::size_t seeds = 3;
     bool json = false, list = false, explain = false;

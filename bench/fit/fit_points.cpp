@@ -12,11 +12,15 @@ constexpr std::uint32_t tiles_across = width / tile_side, tiles_down = height / 
 }  // namespace
 
 FitPoints find_fit_points(const LoadedScene& scene) {
-    FitPoints points{.point = {}, .tile = {}, .tiles = tiles_across * tiles_down};
+    FitPoints points;
+    points.tiles = tiles_across * tiles_down;
+    points.width = width;
+    points.height = height;
     const auto seen = common::visible_surfaces(scene.rays, scene.camera, width, height);
     for (std::uint32_t pixel = 0; pixel < seen.size(); ++pixel) {
         if (!seen[pixel].present) continue;
         points.point.push_back(seen[pixel].point);
+        points.pixel.push_back(pixel);
         points.tile.push_back(pixel / width / tile_side * tiles_across + pixel % width / tile_side);
     }
     if (points.point.empty())

@@ -10,9 +10,11 @@ namespace bench::fit {
 
 struct FitPoints {
     std::vector<common::SurfacePoint>
-        point;                        ///< what the camera sees on a grid of 96 x 54 pixels, row by row
-    std::vector<std::uint32_t> tile;  ///< of each point: the part of the image that it is in
+        point;                         ///< what the camera sees on a grid of 96 x 54 pixels, row by row
+    std::vector<std::uint32_t> pixel;  ///< of each point: row by row
+    std::vector<std::uint32_t> tile;   ///< of each point: the part of the image that it is in
     std::uint32_t tiles = 0;
+    std::uint32_t width = 0, height = 0;  ///< of the image, pixels
 };
 
 /// Tiles are larger than the blur of any candidate worth having, so that noise in one says nothing of the

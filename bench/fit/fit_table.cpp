@@ -44,6 +44,7 @@ Json proposal_as_json(const fit::FitResult& result, const fit::Proposal& proposa
             {"blur", std::sqrt(model.blur_sq)},
             {"truncation", std::sqrt(model.truncation_sq)},
             {"bound", std::sqrt(error_sq + z * model.deviation(proposal.hits))},
+            {"expected", proposal.expected},
             {"seconds", proposal.cost.seconds},
             {"bytes", proposal.cost.bytes},
             {"measured", static_cast<bool>(result.estimates.measured[proposal.candidate])}};
@@ -55,6 +56,7 @@ Json runs_as_json(std::span<const fit::VerifiedRun> runs) {
         all.push_back({{"seed", run.seed},
                        {"hits", run.hits},
                        {"error", run.error},
+                       {"flip", run.flip},
                        {"seconds", run.seconds},
                        {"bytes", run.bytes}});
     return all;
@@ -137,21 +139,38 @@ constexpr const char* text_row =
 constexpr const char* markdown_row =
     "| {} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.4g} |\n";
 
-std::string verified_text(const Json& entry) {
-    if (!entry.contains("verified")) return "";
-    std::string errors;
-    for (const Json& run : entry["verified"])
-        errors += fmt::format("{}{:.3g} % ({:.3g} s)", errors.empty() ? "" : ", ",
-                              100 * run["error"].get<double>(), run["seconds"].get<double>());
-    return "measured: " + errors;
+bool is_by_flip(const Json& document) {
+    return document["metric"].get<std::string>() == "FLIP";
+}
+
+/// What the metric is expected to be, where that is not the error; and what was measured.
+std::string measured_text(const Json& document, const Json& entry) {
+    std::string text;
+    const bool by_flip = is_by_flip(document);
+    if (by_flip && entry.contains("choice"))
+        text = fmt::format("expected: FLIP {:.3g}", entry["choice"]["expected"].get<double>());
+    if (!entry.contains("verified")) return text;
+    text += text.empty() ? "measured: " : "; measured: ";
+    bool first = true;
+    for (const Json& run : entry["verified"]) {
+        text += first ? "" : ", ";
+        text += by_flip ? fmt::format("{:.3g}, ", run["flip"].get<double>()) : "";
+        text += fmt::format("{:.3g} % ({:.3g} s)", 100 * run["error"].get<double>(),
+                            run["seconds"].get<double>());
+        first = false;
+    }
+    return text;
 }
 
 std::string pilot_text(const Json& document) {
     const Json& pilot = document["pilot"];
-    return fmt::format("{}: target {:g} %, least {}; pilot of 2 x {:.3g} hits, seed {}, {:.3g} s",
-                       document["scene"].get<std::string>(), 100 * document["target"].get<double>(),
-                       document["least"].get<std::string>(), pilot["hits_of_each_half"].get<double>(),
-                       document["seed"].get<std::uint64_t>(), pilot["seconds"].get<double>());
+    const double target = document["target"];
+    return fmt::format(
+        "{}: target {}, least {}; pilot of 2 x {:.3g} hits, seed {}, {:.3g} s",
+        document["scene"].get<std::string>(),
+        is_by_flip(document) ? fmt::format("FLIP {:g}", target) : fmt::format("{:g} %", 100 * target),
+        document["least"].get<std::string>(), pilot["hits_of_each_half"].get<double>(),
+        document["seed"].get<std::uint64_t>(), pilot["seconds"].get<double>());
 }
 
 constexpr std::array<std::pair<const char*, const char*>, 2> kinds = {
@@ -172,7 +191,7 @@ Json fit_as_json(const FitPlan& plan, const common::Scene& scene, const fit::Fit
                      {"file", scene.source},
                      {"fingerprint", common::fingerprint(scene)},
                      {"target", plan.goal.target},
-                     {"metric", "relative RMS"},
+                     {"metric", plan.goal.metric == fit::Metric::flip ? "FLIP" : "relative RMS"},
                      {"least", plan.goal.least_bytes ? "bytes" : "time"},
                      {"max_hits", plan.goal.max_hits},
                      {"seed", plan.seed},
@@ -200,7 +219,7 @@ std::string fit_as_text(const Json& document) {
             text += row_text(text_row, entry["choice"]);
         else
             text += fmt::format("{}: out of reach: {}\n", name, entry["reason"].get<std::string>());
-        if (const std::string measured = verified_text(entry); !measured.empty())
+        if (const std::string measured = measured_text(document, entry); !measured.empty())
             text += "  " + measured + "\n";
     }
     if (document.contains("explanation"))
@@ -222,7 +241,7 @@ std::string fit_as_markdown(const Json& document) {
                                 entry["choice"]["hits"].get<double>());
         else
             text += fmt::format("Out of reach: {}.\n", entry["reason"].get<std::string>());
-        if (const std::string measured = verified_text(entry); !measured.empty())
+        if (const std::string measured = measured_text(document, entry); !measured.empty())
             text += "\n" + measured + "\n";
         const Json& rows = document[std::string(key) + "s"];
         if (rows.empty()) continue;

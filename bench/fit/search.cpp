@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/fit/flip_forecast.h"
 #include "common/core/input_error.h"
 
 namespace bench::fit {
@@ -22,7 +23,11 @@ struct State {
 };
 
 Knowledge knowledge_of(const State& state) {
-    return {state.candidates, state.result.estimates, state.result.costs, state.subject.prepared.settings(),
+    return {state.candidates,
+            state.result.estimates,
+            state.result.needed,
+            state.result.costs,
+            state.subject.prepared.settings(),
             state.subject.max_bytes};
 }
 
@@ -30,29 +35,17 @@ double price_of(const FitGoal& goal, const FitCost& cost) {
     return goal.least_bytes ? cost.bytes : cost.seconds;
 }
 
-/// What the candidate would cost at the very best: no bias beyond what is certain, no allowance for chance.
-/// Of an adaptive map: if all of its error fell as noise does.
+/// What the candidate would cost at the very best.
 double least_price(const State& state, std::size_t i) {
-    const ErrorModel& model = *state.result.estimates.model[i];
-    if (model.at_pilot_alone) {
-        const double times = model.error_sq(model.pilot_hits) / (state.goal.target * state.goal.target);
-        return price_of(state.goal, cost_at(state.candidates[i], *state.result.costs[i],
-                                            model.pilot_hits * std::max(times, 1.0)));
-    }
-    const double certain_bias_sq =
-        state.result.estimates.measured[i] ? std::max(0.0, model.lower_bias_sq(state.goal.z)) : 0.0;
-    const double left = state.goal.target * state.goal.target - certain_bias_sq;
-    if (left <= 0) return std::numeric_limits<double>::infinity();
-    return price_of(state.goal, cost_at(state.candidates[i], *state.result.costs[i],
-                                        model.noise_sq * model.pilot_hits / left));
+    const std::optional<double> hits = state.result.needed[i].least;
+    if (!hits) return std::numeric_limits<double>::infinity();
+    return price_of(state.goal, cost_at(state.candidates[i], *state.result.costs[i], *hits));
 }
 
 /// Whether its hits would hardly change if there were no doubt about them.
 bool is_settled(const State& state, std::size_t i) {
-    const ErrorModel& model = *state.result.estimates.model[i];
-    const auto doubtful = hits_for(model, state.goal.target, state.goal.z);
-    const auto certain = hits_for(model, state.goal.target, 0);
-    return doubtful && certain && *doubtful < enough * *certain;
+    const NeededHits& needed = state.result.needed[i];
+    return needed.sure && needed.likely && *needed.sure < enough * *needed.likely;
 }
 
 /// The finest maps that there are, by which all others are measured.
@@ -66,6 +59,7 @@ bool is_measure(const State& state, std::size_t i) {
 bool is_worth_tracing(const State& state, std::size_t i) {
     if (is_measure(state, i)) return true;
     if (!state.result.estimates.model[i] || !state.result.costs[i]) return true;
+    if (state.goal.metric == Metric::flip && !state.samples[i].present()) return true;
     const Choice& choice =
         state.candidates[i].is_light_map() ? state.result.light_map : state.result.photon_map;
     const double best =
@@ -76,9 +70,10 @@ bool is_worth_tracing(const State& state, std::size_t i) {
 
 /// Whether a map that wants so much error of itself may be the cheapest that reaches the target.
 bool is_near_target(const Candidate& candidate, const FitGoal& goal) {
+    if (!candidate.is_adaptive() || goal.metric == Metric::flip) return true;
     constexpr double least = 0.4, most = 1.5;
     const double wanted = candidate.value / 100 / goal.target;
-    return !candidate.is_adaptive() || (wanted >= least && wanted <= most);
+    return wanted >= least && wanted <= most;
 }
 
 std::vector<std::size_t> to_trace(const State& state, std::uint64_t hits, bool first) {
@@ -104,6 +99,7 @@ bool is_decided(const State& state, const Choice& choice, bool light_maps) {
 /// Whether chance has little to say in it. With more doubt the least of many estimates is one that chance has
 /// flattered, and no margin for each alone makes up for that.
 bool is_sure(const FitGoal& goal, const Choice& choice) {
+    if (goal.metric == Metric::flip) return true;  // a mean over pixels of what is seen, not of squares
     return !choice.reached || goal.z * choice.proposal.model.deviation(choice.proposal.hits) <=
                                   most_doubt * goal.target * goal.target;
 }
@@ -120,6 +116,10 @@ bool choose_both(State& state) {
     auto estimates = estimate_errors(state.candidates, state.samples, state.subject.points, state.goal.z);
     if (!estimates) return false;
     state.result.estimates = std::move(*estimates);
+    state.result.needed =
+        state.goal.metric == Metric::flip
+            ? needed_by_flip(state.result.estimates, state.samples, state.subject.points, state.goal)
+            : needed_by_error(state.result.estimates, state.goal);
     state.result.costs = costs_of(state.candidates, state.samples);
     state.result.light_map = choose(knowledge_of(state), state.goal, true);
     state.result.photon_map = choose(knowledge_of(state), state.goal, false);

@@ -16,6 +16,7 @@ struct SearchLimits {
 struct FitResult {
     std::vector<Candidate> candidates;
     SelfEstimates estimates;
+    std::vector<NeededHits> needed;               ///< in the candidates' order
     std::vector<PilotSample> samples;             ///< in the candidates' order
     std::vector<std::optional<PilotCost>> costs;  ///< in the candidates' order
     Choice light_map, photon_map;

@@ -66,13 +66,17 @@ SquareEstimate squared_difference(const Halves& halves, const Halves& other, con
     return estimate.scaled(1 / value_count(measure));
 }
 
-double noise_sq(const Halves& halves, const Measure& measure) {
+double mean_square(std::span<const Rgb> values, const Measure& measure) {
     double sum = 0;
-    for_all_values(measure, [&](std::size_t i, int c, double weight) {
-        const double difference = double{halves.a[i][c]} - halves.b[i][c];
-        sum += 0.5 * weight * difference * difference;
-    });
+    for_all_values(measure,
+                   [&](std::size_t i, int c, double weight) { sum += weight * values[i][c] * values[i][c]; });
     return sum / value_count(measure);
+}
+
+double noise_sq(const Halves& halves, const Measure& measure) {
+    std::vector<Rgb> difference(halves.a.size());
+    for (std::size_t i = 0; i < difference.size(); ++i) difference[i] = halves.a[i] - halves.b[i];
+    return mean_square(difference, measure) / 2;
 }
 
 double variance_about(const Halves& halves, std::span<const Rgb> centre, const Measure& measure) {

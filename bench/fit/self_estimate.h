@@ -49,6 +49,9 @@ struct SquareEstimate {
 [[nodiscard]] SquareEstimate squared_difference(const Halves& halves, const Halves& other,
                                                 const Measure& measure);
 
+/// Of something that has a value at each point: mean of w (value)^2.
+[[nodiscard]] double mean_square(std::span<const common::Rgb> values, const Measure& measure);
+
 /// Variance of one half: mean of w (a - b)^2 / 2.
 [[nodiscard]] double noise_sq(const Halves& halves, const Measure& measure);
 

@@ -7,6 +7,7 @@
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
 #include "common/difference/error_metrics.h"
+#include "common/difference/flip.h"
 
 namespace bench::fit {
 namespace {
@@ -22,7 +23,7 @@ VerifiedRun run_once(const Method& method, std::uint64_t hits, std::uint64_t see
                                                  return !common::interrupted();
                                              });
     stop_if_interrupted();
-    VerifiedRun run{.seed = seed, .hits = trace.hits, .error = 0, .seconds = 0, .bytes = 0};
+    VerifiedRun run{.seed = seed, .hits = trace.hits};
     const double insert_seconds = stores.front().insert_seconds();
     stores.front().finish(trace, [&](const StudyMap& map) {
         const common::Stopwatch gather;
@@ -30,6 +31,7 @@ VerifiedRun run_once(const Method& method, std::uint64_t hits, std::uint64_t see
         run.seconds = trace.trace_seconds + insert_seconds + map.build_seconds + gather.seconds();
         run.bytes = map.bytes;
         run.error = common::difference(answers, scene.truth()).relative_rms;
+        run.flip = common::flip_mean(scene.flip(answers));
     });
     stop_if_interrupted();
     return run;

@@ -13,6 +13,7 @@ struct VerifiedRun {
     std::uint64_t seed = 0;
     std::uint64_t hits = 0;
     double error = 0;    ///< relative RMS, the reference's own error included
+    double flip = 0;     ///< mean
     double seconds = 0;  ///< trace, insertion, index and all answers
     std::size_t bytes = 0;
 };

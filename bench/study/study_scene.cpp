@@ -136,15 +136,18 @@ nlohmann::ordered_json StudyScene::facts() const {
             {"reference_error", reference_error_}};
 }
 
+std::vector<float> StudyScene::flip(std::span<const Rgb> answers) const {
+    return common::flip_map(pixels_of(answers), pixels_of(truth_), width_, height_,
+                            common::exposures_for(truth_));
+}
+
 double StudyScene::write_pictures(const fs::path& folder, std::uint64_t hits,
                                   std::span<const Rgb> answers) const {
-    const std::vector<Rgb> picture = pixels_of(answers), truth = pixels_of(truth_);
-    const std::vector<float> flip =
-        common::flip_map(picture, truth, width_, height_, common::exposures_for(truth_));
-    common::write_png(folder / fmt::format("{}.png", hits), image_of(picture),
-                      common::middle_grey_exposure(image_of(truth)));
-    common::write_flip_map(folder / fmt::format("{}-flip.png", hits), width_, height_, flip);
-    return common::flip_mean(flip);
+    const std::vector<float> seen = flip(answers);
+    common::write_png(folder / fmt::format("{}.png", hits), image_of(pixels_of(answers)),
+                      common::middle_grey_exposure(image_of(pixels_of(truth_))));
+    common::write_flip_map(folder / fmt::format("{}-flip.png", hits), width_, height_, seen);
+    return common::flip_mean(seen);
 }
 
 }  // namespace bench

@@ -44,6 +44,9 @@ class StudyScene {
     /// An entry for the study's table.
     [[nodiscard]] nlohmann::ordered_json facts() const;
 
+    /// What a viewer sees of the answers' error, pixel by pixel (common::flip_map).
+    [[nodiscard]] std::vector<float> flip(std::span<const common::Rgb> answers) const;
+
     /// Writes the picture of some answers, HITS.png, and what a viewer sees of their error, HITS-flip.png.
     /// Returns the mean of the latter.
     double write_pictures(const std::filesystem::path& folder, std::uint64_t hits,

@@ -19,10 +19,6 @@ using common::Vec3;
 
 constexpr std::uint32_t block_bit = 0x80000000u, offset_mask = 0x0fffffffu;
 
-std::size_t face_index(std::uint32_t region, bool back) {
-    return 2 * std::size_t{region} + (back ? 1 : 0);
-}
-
 BlockKind kind_of(std::uint32_t node) {
     return static_cast<BlockKind>((node >> 28) & 7);
 }
@@ -50,7 +46,7 @@ struct AdaptiveMap::Draft {
         Vec3 normal;
         std::vector<float> number;
     };
-    std::size_t face;  ///< index into face_
+    RegionFace face;
     bool flat;
     Vec3 normal;
     std::vector<Node> node;  ///< the first is the root; of blocks: index into `block`
@@ -70,7 +66,7 @@ class AdaptiveMap::Drawing {
   private:
     Drawing(const LightPyramid& pyramid, const FaceBlocks& blocks)
         : pyramid_(pyramid), choice_(blocks.choice) {
-        draft_.face = face_index(pyramid.face().region, pyramid.face().back);
+        draft_.face = pyramid.face();
         draft_.flat = blocks.flat;
         draft_.normal = pyramid.largest_block().surface.unit_normal();
     }
@@ -102,8 +98,11 @@ class AdaptiveMap::Drawing {
 
 AdaptiveMap::AdaptiveMap(const TexelSums<AdaptiveModel>& sums, const PreparedTexels& texels,
                          float watts_per_flux, double wanted_error, bool smooth)
-    : smooth_(smooth), places_(texels.layout), face_(2 * places_.region_count()) {
+    : smooth_(smooth), places_(texels.layout) {
     const std::vector<LightPyramid> pyramids = light_pyramids(sums, texels, watts_per_flux);
+    const bool has_backs = std::any_of(pyramids.begin(), pyramids.end(),
+                                       [](const LightPyramid& pyramid) { return pyramid.face().back; });
+    face_.resize((has_backs ? 2 : 1) * places_.region_count());
     const MapBlocks blocks = search_blocks(pyramids, texels.normals, wanted_error);
     estimated_error_ = blocks.error;
     std::vector<Draft> drafts(pyramids.size());
@@ -133,7 +132,9 @@ void AdaptiveMap::assemble(std::span<const Draft> drafts) {
     number_.reserve(numbers);
     for (const Draft& draft : drafts) {
         const auto base = static_cast<Node>(node_.size());
-        face_[draft.face] = {base, draft.flat, draft.normal};
+        Face& face = face_[face_index(draft.face.region, draft.face.back)];
+        face.root = base;
+        if (draft.flat) face.normal = pack_normal(draft.normal);
         for (const Node node : draft.node) {
             if ((node & block_bit) == 0) {
                 node_.push_back(base + node);
@@ -179,9 +180,10 @@ class BlockMean {
         const BlockKind kind = kind_of(node);
         if (kind == BlockKind::uncovered || weight <= 0) return;
         const std::uint16_t* stored = map_.number_.data() + (node & offset_mask);
-        const Vec3 normal = face_.one_normal ? face_.normal : unpack_normal(stored[0], stored[1]);
+        const std::uint16_t* packed = face_.has_one_normal() ? face_.normal.data() : stored;
+        const Vec3 normal = unpack_normal(packed[0], packed[1]);
         if (normal.dot(point_.geometric_normal) <= common::same_surface_cosine) return;
-        mean_.add(answer(kind, stored + (face_.one_normal ? 0 : 2), normal), weight);
+        mean_.add(answer(kind, stored + (face_.has_one_normal() ? 0 : 2), normal), weight);
     }
 
     [[nodiscard]] Rgb irradiance() const { return mean_.irradiance() * map_.unit_; }

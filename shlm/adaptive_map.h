@@ -48,8 +48,10 @@ class AdaptiveMap {
 
     struct Face {
         Node root = 0;
-        bool one_normal = false;  ///< for all its blocks; they keep their own otherwise
-        common::Vec3 normal;      ///< that one
+        /// Packed, for all its blocks. No normal is packed as this one: they keep their own.
+        std::array<std::uint16_t, 2> normal{0xffff, 0xffff};
+
+        [[nodiscard]] bool has_one_normal() const { return normal[0] != 0xffff; }
     };
 
     struct Found {
@@ -60,13 +62,16 @@ class AdaptiveMap {
     struct Draft;
     class Drawing;
 
+    [[nodiscard]] std::size_t face_index(std::uint32_t region, bool back) const {
+        return region + (back ? places_.region_count() : 0);
+    }
     [[nodiscard]] Found find(const Face& face, const TexelRegion& region, std::uint32_t x,
                              std::uint32_t y) const;
     void assemble(std::span<const Draft> drafts);
 
     bool smooth_;
     TexelPlaces places_;
-    std::vector<Face> face_;  ///< one per region, its front's and its back's
+    std::vector<Face> face_;  ///< of all regions' fronts, then of their backs if any has one
     std::vector<Node> node_;
     std::vector<std::uint16_t> number_;  ///< halves; where a block keeps its normal, that is the first two
     float unit_ = 1;                     ///< of the numbers of light, W/m^2

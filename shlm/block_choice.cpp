@@ -1,7 +1,5 @@
 #include "shlm/block_choice.h"
 
-#include "shlm/settings.h"
-
 namespace shlm {
 namespace {
 
@@ -59,7 +57,7 @@ BlockChoice choose_blocks(const LightPyramid& pyramid, std::span<const BlockCost
                 const Kept kept = cheapest(costs[b], with_normals, byte_price);
                 choice.of_block[b] = static_cast<std::uint8_t>(kept.kind);
                 best[b] = kept.cost;
-                if (level == 0 || (costs[b].may_be_one && block.hits < default_least_hits)) continue;
+                if (level == 0 || (costs[b].may_be_one && block.hits < least_hits_to_divide)) continue;
                 const Cost division = cost_of_division(level, x, y);
                 if (costs[b].may_be_one && kept.cost.at(byte_price) <= division.at(byte_price)) continue;
                 choice.of_block[b] = divided;

@@ -6,6 +6,7 @@
 
 #include "bench/fit/carry_on.h"
 #include "bench/fit/self_estimate.h"
+#include "bench/fit/self_estimates.h"
 #include "common/core/input_error.h"
 #include "tests/statistics.h"
 
@@ -174,6 +175,69 @@ TEST(FitEstimate, AddsAndScalesEstimates) {
 TEST(FitEstimate, RefusesToBeRelativeToNothing) {
     const std::vector<Rgb> black(points, Rgb(0));
     EXPECT_THROW(Measure(black, tile_of_points(), tiles), common::InputError);
+}
+
+// What stands in for the truth.
+
+/// Light with detail in octaves: texels of each size miss all finer ones. The first octave beyond the finest
+/// map has `energy`, and each has `falls_by` times less than the one before, up to the last.
+class DetailedLight {
+  public:
+    DetailedLight(double energy, double falls_by) {
+        std::mt19937_64 random(3);
+        std::normal_distribution<float> normal;
+        for (int octave = -coarser; octave < finer; ++octave) {
+            const auto amplitude = static_cast<float>(std::sqrt(energy * std::pow(falls_by, -octave)));
+            std::vector<float>& values = octave_.emplace_back();
+            for (std::size_t i = 0; i < points; ++i) values.push_back(amplitude * normal(random));
+        }
+    }
+
+    /// Squared bias of the finest map by its own estimate, over what it is.
+    [[nodiscard]] double estimated_over_true() const {
+        const std::vector<Candidate> candidates = {{CandidateKind::light_map, "L4/radiance", "own", 1024},
+                                                   {CandidateKind::light_map, "L4/radiance", "own", 4096},
+                                                   {CandidateKind::light_map, "L4/radiance", "own", 16384},
+                                                   {CandidateKind::photon_share, "disc", "k", 64e-6}};
+        std::vector<PilotSample> samples(candidates.size());
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const std::vector<Rgb> answers = seen_with(i == 3 ? 1 : i);
+            samples[i].halves = {answers, answers};
+            samples[i].cost.hits = 1e6;
+        }
+        FitPoints fit_points;
+        fit_points.tile.assign(tile_of_points().begin(), tile_of_points().end());
+        fit_points.tiles = tiles;
+        const auto estimates = estimate_errors(candidates, samples, fit_points, 1);
+        EXPECT_EQ(estimates->finest.candidate, 2u);
+        double missed = 0;
+        for (std::size_t octave = coarser; octave < octave_.size(); ++octave)
+            for (const float value : octave_[octave]) missed += value * value / points;
+        return estimates->model[2]->bias_sq() / missed;
+    }
+
+  private:
+    static constexpr int coarser = 2, finer = 3;  // octaves between the maps, and beyond the finest
+
+    /// By a map that shows so many octaves of detail; of light 1, so that squares are relative.
+    [[nodiscard]] std::vector<Rgb> seen_with(std::size_t octaves) const {
+        std::vector<Rgb> answers(points, Rgb(1, 1, 1));
+        for (std::size_t octave = 0; octave < octaves; ++octave)
+            for (std::size_t i = 0; i < points; ++i) answers[i] += Rgb(1, 1, 1) * octave_[octave][i];
+        return answers;
+    }
+
+    std::vector<std::vector<float>> octave_;
+};
+
+TEST(FitTruth, BlurThatFallsAsItsWidthIsKnown) {
+    EXPECT_NEAR(DetailedLight(1e-4, 2).estimated_over_true(), 8.0 / 7, 0.2) << "7 of 8 parts are there";
+}
+
+TEST(FitTruth, BlurThatHardlyFallsIsNotOverlooked) {
+    const double found = DetailedLight(1e-4, 1.2).estimated_over_true();
+    EXPECT_GT(found, 1) << "three octaves of three times what the finest map sees";
+    EXPECT_LT(found, 3);
 }
 
 // Hits for a target.

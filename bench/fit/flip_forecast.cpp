@@ -13,8 +13,22 @@ namespace {
 using common::Rgb;
 
 /// The hits at which FLIP falls to the target lie between these shares of the pilot's, or are not looked for.
-constexpr double fewest = 1.0 / 64, most = 4096;
-constexpr int steps = 8;  // of the bisection: to a factor of (most / fewest)^(1 / 2^8), 1.05
+/// Noise of far fewer than the pilot's is none that could be drawn from its halves.
+constexpr double fewest = 0.25, most = 4096;
+constexpr int steps = 8;  // of the bisection: to a factor of (most / fewest)^(1 / 2^8), 1.04
+
+/// Of one half, relative. Noise of less than four photons is rare bright pixels among black ones: a draw of
+/// it from two halves shows most pixels right.
+constexpr double most_noise_sq = 0.25;
+
+/// Pixels away from the middle: so that a quarter of the bias's square is left of noise that differs from
+/// pixel to pixel.
+int reach_for(double noise_sq, double bias_sq) {
+    constexpr int most_reach = 4;
+    int reach = 0;
+    while (reach < most_reach && noise_sq > bias_sq / 4 * (2 * reach + 1) * (2 * reach + 1)) ++reach;
+    return reach;
+}
 
 std::optional<double> hits_for_flip(const FlipForecast& forecast, const PilotSample& sample, double bias_sq,
                                     double target) {
@@ -47,6 +61,11 @@ NeededHits needed_at_pilot(const FlipForecast& forecast, const PilotSample& samp
 
 NeededHits needed_of(const FlipForecast& forecast, const PilotSample& sample, const ErrorModel& model,
                      const FitGoal& goal) {
+    if (model.noise_sq > most_noise_sq) {
+        NeededHits unknown;
+        unknown.least = model.pilot_hits * model.noise_sq / most_noise_sq;
+        return unknown;
+    }
     if (model.at_pilot_alone) return needed_at_pilot(forecast, sample, model, goal);
     const double upper = std::max(0.0, model.upper_bias_sq(goal.z)),
                  lower = std::max(0.0, model.lower_bias_sq(goal.z));
@@ -66,8 +85,11 @@ FlipForecast::FlipForecast(const FitPoints& points, const SelfEstimates& estimat
     : points_(points),
       estimates_(estimates),
       measure_(estimates.best_answers, points.tile, points.tiles),
+      present_(std::size_t{points.width} * points.height),
       reference_(picture_of(estimates.best_answers)),
-      exposures_(common::exposures_for(estimates.best_answers)) {}
+      exposures_(common::exposures_for(estimates.best_answers)) {
+    for (const std::uint32_t pixel : points.pixel) present_[pixel] = 1;
+}
 
 std::vector<Rgb> FlipForecast::picture_of(std::span<const Rgb> answers) const {
     std::vector<Rgb> picture(std::size_t{points_.width} * points_.height, Rgb(0, 0, 0));
@@ -75,10 +97,31 @@ std::vector<Rgb> FlipForecast::picture_of(std::span<const Rgb> answers) const {
     return picture;
 }
 
+std::vector<Rgb> FlipForecast::averaged(std::span<const Rgb> values, int reach) const {
+    const std::vector<Rgb> picture = picture_of(values);
+    const auto width = static_cast<int>(points_.width), height = static_cast<int>(points_.height);
+    std::vector<Rgb> means(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const int x = static_cast<int>(points_.pixel[i]) % width,
+                  y = static_cast<int>(points_.pixel[i]) / width;
+        Rgb sum(0, 0, 0);
+        float count = 0;
+        for (int row = std::max(y - reach, 0); row <= std::min(y + reach, height - 1); ++row)
+            for (int column = std::max(x - reach, 0); column <= std::min(x + reach, width - 1); ++column) {
+                const auto pixel = static_cast<std::size_t>(row * width + column);
+                sum += picture[pixel];
+                count += present_[pixel];
+            }
+        means[i] = sum / count;
+    }
+    return means;
+}
+
 double FlipForecast::flip(const PilotSample& sample, double bias_sq, double hits) const {
     const std::vector<Rgb>& best = estimates_.best_answers;
     std::vector<Rgb> bias = mean_of(sample.halves);
     for (std::size_t i = 0; i < bias.size(); ++i) bias[i] -= best[i];
+    bias = averaged(bias, reach_for(noise_sq(sample.halves, measure_) / 2, bias_sq));
     const double shown_sq = mean_square(bias, measure_);
     const auto scale = static_cast<float>(shown_sq > 0 ? std::sqrt(bias_sq / shown_sq) : 0);
     const auto noise = static_cast<float>(std::sqrt(sample.cost.hits / hits / 2));

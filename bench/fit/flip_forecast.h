@@ -14,8 +14,10 @@ namespace bench::fit {
 ///
 ///     best + bias + sqrt(n / N) (a - b) / sqrt(2)
 ///
-/// The last term is one draw of the noise. The bias is (a + b) / 2 - best, most of which may be noise of
-/// both: it is scaled to have the mean square that the error model knows, weighted as there.
+/// The last term is one draw of the noise. The bias is (a + b) / 2 - best, much of which may be noise of
+/// both, and FLIP sees noise less than it does the same light in one place. So it is averaged over as many
+/// pixels as leave a quarter of its square to noise, 9 x 9 at most, and then scaled to have the mean square
+/// that the error model knows, weighted as there.
 class FlipForecast {
   public:
     /// Throws InputError where `best` is black.
@@ -26,16 +28,20 @@ class FlipForecast {
     [[nodiscard]] double flip(const PilotSample& sample, double bias_sq, double hits) const;
 
   private:
+    /// Over the pixels around each point, up to `reach` away, of those that have one.
+    [[nodiscard]] std::vector<common::Rgb> averaged(std::span<const common::Rgb> values, int reach) const;
     [[nodiscard]] std::vector<common::Rgb> picture_of(std::span<const common::Rgb> answers) const;
 
     const FitPoints& points_;
     const SelfEstimates& estimates_;
     Measure measure_;
+    std::vector<float> present_;          ///< of each pixel: 1 where it has a point, else 0
     std::vector<common::Rgb> reference_;  ///< all pixels
     common::Exposures exposures_;
 };
 
-/// By FLIP, in the candidates' order: nothing is known of those that were not measured.
+/// By FLIP, in the candidates' order: nothing is known of those that were not measured, or whose halves are
+/// noise for the most part.
 [[nodiscard]] std::vector<NeededHits> needed_by_flip(const SelfEstimates& estimates,
                                                      std::span<const PilotSample> samples,
                                                      const FitPoints& points, const FitGoal& goal);

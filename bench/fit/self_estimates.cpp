@@ -50,6 +50,15 @@ double expected_blur_sq(const Candidate& fine, std::size_t quarter, const Square
                     squared_difference(samples[*sixteenth].halves, samples[quarter].halves, measure).value);
 }
 
+/// Of (Q - F)^2, see Finest. As long as it takes three sizes of texels to tell how blur falls, no more than
+/// four times as much is believed.
+double unseen_share(double coarse_sq, double fine_sq) {
+    constexpr double most = 4;
+    if (fine_sq <= 0) return 0;
+    const double falls_by = coarse_sq / fine_sq;
+    return std::clamp(falls_by > 1 ? 1 / (falls_by - 1) - 1 : most, 0.0, most);
+}
+
 /// Of all maps of the finest basis the one whose blur is the least for sure: with more texels there is less
 /// blur and more noise to hide it.
 std::optional<Finest> find_finest(Candidates candidates, Samples samples, const Measure& measure) {
@@ -71,6 +80,12 @@ std::optional<Finest> find_finest(Candidates candidates, Samples samples, const 
     if (!finest) return finest;
     finest->truth = extrapolated(samples[finest->candidate].halves, samples[finest->quarter].halves);
     const Candidate& fine = candidates[finest->candidate];
+    if (const auto sixteenth =
+            find_light_map(candidates, samples, fine.basis, fine.gather, fine.value / 16)) {
+        const SquareEstimate coarse =
+            squared_difference(samples[*sixteenth].halves, samples[finest->quarter].halves, measure);
+        finest->unseen_sq = finest->blur_sq.scaled(unseen_share(coarse.value, finest->blur_sq.value));
+    }
     if (const auto below = find_light_map(candidates, samples, basis_below_finest(), fine.gather, fine.value))
         finest->truncation_sq =
             squared_difference(samples[*below].halves, samples[finest->candidate].halves, measure)
@@ -92,6 +107,7 @@ ErrorModel model_of(std::size_t i, Candidates candidates, Samples samples, const
                     std::span<const common::Rgb> best, const Measure& measure) {
     SquareEstimate bias_sq = squared_difference(samples[i].halves, finest.truth, measure);
     bias_sq += finest.truncation_sq;
+    bias_sq += finest.unseen_sq;
     const double known = std::max(0.0, bias_sq.value);
     const double truncation = std::min(known, truncation_sq(i, candidates, samples, finest, measure));
     return {.pilot_hits = samples[i].cost.hits,

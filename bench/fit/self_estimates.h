@@ -20,12 +20,18 @@ namespace bench::fit {
 /// in place of 2 B, and m times the width (m + 2) B in place of m B. Where the light is smooth blur falls
 /// with the square of h, and too much is taken off: F gets 9 B. So what is not exact is too large, and the
 /// less so the coarser a candidate is than F.
+///
+/// But for light with detail of all sizes, whose blur hardly falls with h. S with a sixteenth of F's texels
+/// tells it: with squared blur in proportion to h^q, (S - Q)^2 is R = 2^q times (Q - F)^2, and F's own is
+/// (Q - F)^2 / (R - 1). What that has more than (Q - F)^2 nobody sees who is measured by 2 F - Q: it is added
+/// to all.
 struct Finest {
     std::size_t candidate = 0;
     std::size_t quarter = 0;       ///< the candidate with a quarter of its texels
     Halves truth;                  ///< 2 F - Q
     SquareEstimate blur_sq;        ///< of F by it: mean w (Q - F)^2
     SquareEstimate truncation_sq;  ///< of F: by the harmonics beyond the last band
+    SquareEstimate unseen_sq;      ///< blur of F that 2 F - Q has as well
 };
 
 /// Models in the candidates' order: none where nothing is known. `best` answers with the least expected

@@ -114,6 +114,19 @@ TEST_F(FitChoice, SaysWhichBiasForbidsTheTarget) {
     EXPECT_TRUE(photon_map().reached) << "the share has no blur";
 }
 
+TEST_F(FitChoice, SaysWhichFlipIsOutOfReach) {
+    goal.metric = Metric::flip;
+    std::vector<NeededHits> needed(4);
+    needed[0].without_noise = 0.2;
+    needed[1].without_noise = 0.1;
+    const Choice choice =
+        choose({candidates, estimates, needed, costs, settings, std::size_t{1} << 40}, goal, true);
+    EXPECT_FALSE(choice.reached);
+    EXPECT_EQ(choice.proposal.candidate, 1u) << "comes nearest";
+    EXPECT_NE(choice.reason.find("a FLIP of 0.05 is out of reach"), std::string::npos) << choice.reason;
+    EXPECT_NE(choice.reason.find("has up to 0.1 without any noise"), std::string::npos) << choice.reason;
+}
+
 TEST_F(FitChoice, SaysWhenItCannotTell) {
     goal.target = 0.03;
     goal.z = 1;

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.colors import LogNorm, to_rgb
 from matplotlib.patches import Patch
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 from study_style import SMALL, Sheet
 from study_text import machine_text
 
@@ -54,8 +55,14 @@ def draw_kinds(axes, kinds):
 
 def draw_widths(figure, axes, widths):
     seen = np.where(widths > 0, widths, np.nan)
-    shown = axes.imshow(seen, interpolation="nearest", cmap="viridis", norm=LogNorm(*widths_range(seen)))
+    low, high = widths_range(seen)
+    shown = axes.imshow(seen, interpolation="nearest", cmap="viridis", norm=LogNorm(low, high))
     bar = figure.colorbar(shown, ax=axes, orientation="horizontal", fraction=0.06, pad=0.03)
+    digits = (1, 2, 5) if high > 3 * low else (1, 1.5, 2, 3, 4, 5, 6, 7, 8)
+    ticks = [digit * 10.0**power for power in range(-8, 9) for digit in digits]
+    bar.ax.xaxis.set_major_locator(FixedLocator([tick for tick in ticks if low <= tick <= high]))
+    bar.ax.xaxis.set_major_formatter(FuncFormatter(lambda width, _: f"{width:g}"))
+    bar.ax.xaxis.set_minor_locator(NullLocator())
     bar.ax.tick_params(labelsize=SMALL + 0.5)
     axes.set_title("Width of a block, scene units", fontsize=9)
 

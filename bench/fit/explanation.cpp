@@ -3,10 +3,8 @@
 #include <algorithm>
 
 #include "bench/app/finished_map.h"
-#include "bench/fit/stop.h"
+#include "bench/fit/traced_run.h"
 #include "common/core/input_error.h"
-#include "common/core/interrupt.h"
-#include "common/core/progress.h"
 #include "common/view/visible_surfaces.h"
 #include "shlm/adaptive_map.h"
 
@@ -54,13 +52,8 @@ std::vector<SurfaceError> surface_errors(const FitResult& result, const PilotSub
 shlm::AdaptiveMap adaptive_map(const Method& method, std::uint64_t hits, const PilotSubject& subject) {
     shlm::Sink<shlm::AdaptiveModel> sink(subject.prepared.texels_of(*method.light_map()), shlm::OwnTexel{},
                                          shlm::Quantum(subject.source.power()));
-    common::Progress progress(method.name, "hits", hits);
-    const auto trace = common::trace_photons(subject.loaded.rays, subject.source, subject.seed,
-                                             {.hits = hits}, sink, [&](const common::TraceReport& so_far) {
-                                                 progress.show(so_far.hits);
-                                                 return !common::interrupted();
-                                             });
-    stop_if_interrupted();
+    const auto trace =
+        traced_run(method.name, subject.loaded, subject.source, subject.seed, {.hits = hits}, sink);
     return make_adaptive_map(*method.light_map(), sink, trace);
 }
 

@@ -33,7 +33,8 @@ int reach_for(double noise_sq, double bias_sq) {
 std::optional<double> hits_for_flip(const FlipForecast& forecast, const PilotSample& sample, double bias_sq,
                                     double target) {
     const double pilot = sample.cost.hits;
-    const auto meets = [&](double hits) { return forecast.flip(sample, bias_sq, hits) <= target; };
+    const std::vector<Rgb> bias = forecast.shown_bias(sample, bias_sq);
+    const auto meets = [&](double hits) { return forecast.flip(sample, bias, hits) <= target; };
     if (!meets(most * pilot)) return std::nullopt;
     double low = std::log(fewest * pilot), high = std::log(most * pilot);
     for (int step = 0; step < steps; ++step) {
@@ -117,17 +118,22 @@ std::vector<Rgb> FlipForecast::averaged(std::span<const Rgb> values, int reach) 
     return means;
 }
 
-double FlipForecast::flip(const PilotSample& sample, double bias_sq, double hits) const {
-    const std::vector<Rgb>& best = estimates_.best_answers;
+std::vector<Rgb> FlipForecast::shown_bias(const PilotSample& sample, double bias_sq) const {
     std::vector<Rgb> bias = mean_of(sample.halves);
-    for (std::size_t i = 0; i < bias.size(); ++i) bias[i] -= best[i];
+    for (std::size_t i = 0; i < bias.size(); ++i) bias[i] -= estimates_.best_answers[i];
     bias = averaged(bias, reach_for(noise_sq(sample.halves, measure_) / 2, bias_sq));
     const double shown_sq = mean_square(bias, measure_);
     const auto scale = static_cast<float>(shown_sq > 0 ? std::sqrt(bias_sq / shown_sq) : 0);
+    for (Rgb& shown : bias) shown *= scale;
+    return bias;
+}
+
+double FlipForecast::flip(const PilotSample& sample, std::span<const Rgb> shown_bias, double hits) const {
+    const std::vector<Rgb>& best = estimates_.best_answers;
     const auto noise = static_cast<float>(std::sqrt(sample.cost.hits / hits / 2));
     std::vector<Rgb> answers(best.size());
     for (std::size_t i = 0; i < best.size(); ++i)
-        answers[i] = best[i] + bias[i] * scale + (sample.halves.a[i] - sample.halves.b[i]) * noise;
+        answers[i] = best[i] + shown_bias[i] + (sample.halves.a[i] - sample.halves.b[i]) * noise;
     return common::flip_mean(common::flip_map(picture_of(answers), reference_,
                                               static_cast<int>(points_.width),
                                               static_cast<int>(points_.height), exposures_));

@@ -25,7 +25,14 @@ class FlipForecast {
 
     /// Of a candidate with these halves; its bias has this mean square, relative as in ErrorModel. `hits` may
     /// be infinite.
-    [[nodiscard]] double flip(const PilotSample& sample, double bias_sq, double hits) const;
+    [[nodiscard]] double flip(const PilotSample& sample, double bias_sq, double hits) const {
+        return flip(sample, shown_bias(sample, bias_sq), hits);
+    }
+
+    /// The same by what does not depend on the hits: the bias of each point, W/m^2.
+    [[nodiscard]] std::vector<common::Rgb> shown_bias(const PilotSample& sample, double bias_sq) const;
+    [[nodiscard]] double flip(const PilotSample& sample, std::span<const common::Rgb> shown_bias,
+                              double hits) const;
 
   private:
     /// Over the pixels around each point, up to `reach` away, of those that have one.

@@ -5,9 +5,7 @@
 #include <algorithm>
 
 #include "bench/app/memory_need.h"
-#include "bench/fit/stop.h"
-#include "common/core/interrupt.h"
-#include "common/core/progress.h"
+#include "bench/fit/traced_run.h"
 
 namespace bench::fit {
 namespace {
@@ -59,16 +57,9 @@ std::vector<std::vector<Group>> batches_of(std::vector<Group> groups, const Pilo
 common::TraceReport trace_half(const PilotSubject& subject, std::uint64_t first_photon, std::uint64_t hits,
                                std::vector<StudyStore>& stores) {
     StudySink sink(stores);
-    common::Progress progress(fmt::format("{} pilot {:g}", subject.loaded.name, static_cast<double>(hits)),
-                              "hits", hits);
-    const auto trace = common::trace_photons(subject.loaded.rays, subject.source, subject.seed,
-                                             {.hits = hits, .first_photon = first_photon}, sink,
-                                             [&](const common::TraceReport& so_far) {
-                                                 progress.show(so_far.hits);
-                                                 return !common::interrupted();
-                                             });
-    stop_if_interrupted();
-    return trace;
+    return traced_run(fmt::format("{} pilot {:g}", subject.loaded.name, static_cast<double>(hits)),
+                      subject.loaded, subject.source, subject.seed,
+                      {.hits = hits, .first_photon = first_photon}, sink);
 }
 
 /// Adds half of what this half has cost: the mean of two.

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "bench/fit/stop.h"
+#include "bench/fit/traced_run.h"
 #include "bench/study/study_store.h"
-#include "common/core/interrupt.h"
-#include "common/core/progress.h"
 #include "common/difference/error_metrics.h"
 #include "common/difference/flip.h"
 
@@ -16,13 +14,8 @@ VerifiedRun run_once(const Method& method, std::uint64_t hits, std::uint64_t see
     std::vector<StudyStore> stores;
     stores.emplace_back(MethodGroup{method}, scene.prepared(), scene.source());
     StudySink sink(stores);
-    common::Progress progress(fmt::format("{} seed {}", method.name, seed), "hits", hits);
-    const auto trace = common::trace_photons(scene.loaded().rays, scene.source(), seed, {.hits = hits}, sink,
-                                             [&](const common::TraceReport& so_far) {
-                                                 progress.show(so_far.hits);
-                                                 return !common::interrupted();
-                                             });
-    stop_if_interrupted();
+    const auto trace = traced_run(fmt::format("{} seed {}", method.name, seed), scene.loaded(),
+                                  scene.source(), seed, {.hits = hits}, sink);
     VerifiedRun run{.seed = seed, .hits = trace.hits};
     const double insert_seconds = stores.front().insert_seconds();
     stores.front().finish(trace, [&](const StudyMap& map) {

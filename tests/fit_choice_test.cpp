@@ -69,6 +69,15 @@ TEST_F(FitChoice, TakesTheFewestBytes) {
     EXPECT_EQ(photon_map().proposal.candidate, 3u);
 }
 
+TEST_F(FitChoice, EqualBytesTakeTheFewestHitsHoweverFastEachWas) {
+    goal.least_bytes = true;
+    costs[1]->bytes = costs[0]->bytes;
+    for (const double seconds : {0.1, 10.0}) {
+        costs[1]->trace_seconds = seconds;
+        EXPECT_EQ(light_map().proposal.candidate, 0u) << seconds;
+    }
+}
+
 TEST_F(FitChoice, KeepsWithinBudgets) {
     goal.budget_seconds = 30;
     ASSERT_TRUE(photon_map().reached);

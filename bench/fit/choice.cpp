@@ -23,10 +23,11 @@ std::string target_text(const FitGoal& goal) {
                                        : fmt::format("{:g} %", 100 * goal.target);
 }
 
-/// Of seconds or bytes, as the goal has it; the other where these are the same.
+/// Of seconds or bytes, as the goal has it; where these are the same, the other. Not seconds but hits after
+/// bytes: a choice for bytes is the same again.
 std::pair<double, double> price(const Proposal& proposal, const FitGoal& goal) {
     const auto& [seconds, bytes] = proposal.cost;
-    return goal.least_bytes ? std::pair(bytes, seconds) : std::pair(seconds, bytes);
+    return goal.least_bytes ? std::pair(bytes, proposal.hits) : std::pair(seconds, bytes);
 }
 
 Proposal proposal_at(const Knowledge& known, std::size_t i, double hits) {

@@ -35,8 +35,8 @@ struct Knowledge {
     std::size_t max_bytes;  ///< that a method may need while it is made
 };
 
-/// Those that reach the target whatever they cost, the least cost first; equal costs in the candidates'
-/// order.
+/// Those that reach the target whatever they cost, the least cost first; equal bytes by their hits, then
+/// in the candidates' order.
 [[nodiscard]] std::vector<Proposal> proposals(const Knowledge& known, const FitGoal& goal, bool light_maps);
 
 [[nodiscard]] Choice choose(const Knowledge& known, const FitGoal& goal, bool light_maps);

@@ -6,7 +6,6 @@
 #include <bit>
 
 #include "common/core/input_error.h"
-#include "shlm/block_search.h"
 #include "shlm/irradiance_mean.h"
 #include "shlm/packed_normal.h"
 #include "shlm/stored_texel.h"
@@ -56,18 +55,18 @@ struct AdaptiveMap::Draft {
 /// Goes down from the largest block and draws what was chosen.
 class AdaptiveMap::Drawing {
   public:
-    static Draft draft_of(const LightPyramid& pyramid, const FaceBlocks& blocks) {
-        Drawing drawing(pyramid, blocks);
+    static Draft draft_of(const LightPyramid& pyramid, bool flat, const BlockChoice& choice) {
+        Drawing drawing(pyramid, flat, choice);
         drawing.draft_.node.push_back(0);
         drawing.draw(0, pyramid.levels() - 1, 0, 0);
         return std::move(drawing.draft_);
     }
 
   private:
-    Drawing(const LightPyramid& pyramid, const FaceBlocks& blocks)
-        : pyramid_(pyramid), choice_(blocks.choice) {
+    Drawing(const LightPyramid& pyramid, bool flat, const BlockChoice& choice)
+        : pyramid_(pyramid), choice_(choice) {
         draft_.face = pyramid.face();
-        draft_.flat = blocks.flat;
+        draft_.flat = flat;
         draft_.normal = pyramid.largest_block().surface.unit_normal();
     }
 
@@ -96,18 +95,19 @@ class AdaptiveMap::Drawing {
     Draft draft_;
 };
 
-AdaptiveMap::AdaptiveMap(const TexelSums<AdaptiveModel>& sums, const PreparedTexels& texels,
-                         float watts_per_flux, double wanted_error, bool smooth)
-    : smooth_(smooth), places_(texels.layout) {
-    const std::vector<LightPyramid> pyramids = light_pyramids(sums, texels, watts_per_flux);
+AdaptiveMap::AdaptiveMap(const BlockSearch& search, const TexelLayout& layout, double wanted_error,
+                         bool smooth)
+    : smooth_(smooth), places_(layout) {
+    const std::span<const LightPyramid> pyramids = search.pyramids();
     const bool has_backs = std::any_of(pyramids.begin(), pyramids.end(),
                                        [](const LightPyramid& pyramid) { return pyramid.face().back; });
     face_.resize((has_backs ? 2 : 1) * places_.region_count());
-    const MapBlocks blocks = search_blocks(pyramids, texels.normals, wanted_error);
+    const MapBlocks blocks = search.smallest(wanted_error);
     estimated_error_ = blocks.error;
     std::vector<Draft> drafts(pyramids.size());
-    tbb::parallel_for(std::size_t{0}, pyramids.size(),
-                      [&](std::size_t f) { drafts[f] = Drawing::draft_of(pyramids[f], blocks.face[f]); });
+    tbb::parallel_for(std::size_t{0}, pyramids.size(), [&](std::size_t f) {
+        drafts[f] = Drawing::draft_of(pyramids[f], search.is_flat(f), blocks.face[f]);
+    });
     assemble(drafts);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/estimator/irradiance_estimator.h"
-#include "shlm/light_pyramid.h"
+#include "shlm/block_search.h"
 #include "shlm/settings.h"
 #include "shlm/texel_places.h"
 
@@ -13,13 +13,10 @@ namespace shlm {
 /// else then.
 class AdaptiveMap {
   public:
-    /// The smallest map whose estimated error (estimated_error) is no more than `wanted_error`; where the
-    /// hits do not allow that, one with a twentieth more than the least that they do. `sums` are of the same
-    /// layout as `texels`. `smooth`: neighbouring blocks run into each other, as in Bilinear, over the width
-    /// of the smaller; otherwise each shows one light. Throws InputError where there are more blocks than can
-    /// be counted.
-    AdaptiveMap(const TexelSums<AdaptiveModel>& sums, const PreparedTexels& texels, float watts_per_flux,
-                double wanted_error, bool smooth);
+    /// `search.smallest(wanted_error)`. `layout`: of the sums that were searched. `smooth`: neighbouring
+    /// blocks run into each other, as in Bilinear, over the width of the smaller; otherwise each shows one
+    /// light. Throws InputError where there are more blocks than can be counted.
+    AdaptiveMap(const BlockSearch& search, const TexelLayout& layout, double wanted_error, bool smooth);
 
     /// Irradiance for the shading normal, W/m^2. Never negative. Zero where no block answers.
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const;

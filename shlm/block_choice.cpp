@@ -25,6 +25,44 @@ Kept cheapest(const BlockCosts& costs, bool with_normals, double byte_price) {
     return best;
 }
 
+/// Goes down to where blocks stay whole, and decides on the way back.
+class Choosing {
+  public:
+    Choosing(const LightPyramid& pyramid, std::span<const BlockCosts> costs, bool with_normals,
+             double byte_price)
+        : pyramid_(pyramid), costs_(costs), with_normals_(with_normals), byte_price_(byte_price) {
+        choice_.of_block.resize(costs.size());
+        choice_.error_sq = visit(pyramid.levels() - 1, 0, 0).error_sq;
+    }
+
+    [[nodiscard]] BlockChoice take() && { return std::move(choice_); }
+
+  private:
+    Cost visit(std::size_t level, std::uint32_t x, std::uint32_t y) {
+        const LightBlock& block = pyramid_.block(level, x, y);
+        if (block.surface.area == 0) return {};  // uncovered, and costs nothing
+        const std::size_t b = pyramid_.index(level, x, y);
+        const Kept kept = cheapest(costs_[b], with_normals_, byte_price_);
+        choice_.of_block[b] = static_cast<std::uint8_t>(kept.kind);
+        if (level == 0 || stays_whole(block)) return kept.cost;
+        Cost division{0, bytes_of_division};
+        pyramid_.for_children(level, x, y, [&](auto child_x, auto child_y) {
+            const Cost part = visit(level - 1, child_x, child_y);
+            division.error_sq += part.error_sq;
+            division.bytes += part.bytes;
+        });
+        if (block.surface.one && kept.cost.at(byte_price_) <= division.at(byte_price_)) return kept.cost;
+        choice_.of_block[b] = divided;
+        return division;
+    }
+
+    const LightPyramid& pyramid_;
+    std::span<const BlockCosts> costs_;
+    bool with_normals_;
+    double byte_price_;
+    BlockChoice choice_;
+};
+
 }  // namespace
 
 double bytes_of(BlockKind kind, bool with_normal) {
@@ -36,35 +74,7 @@ double bytes_of(BlockKind kind, bool with_normal) {
 
 BlockChoice choose_blocks(const LightPyramid& pyramid, std::span<const BlockCosts> costs, bool with_normals,
                           double byte_price) {
-    BlockChoice choice;
-    choice.of_block.resize(costs.size());
-    std::vector<Cost> best(costs.size());
-    const auto cost_of_division = [&](std::size_t level, std::uint32_t x, std::uint32_t y) {
-        Cost cost{0, bytes_of_division};
-        pyramid.for_children(level, x, y, [&](auto cx, auto cy) {
-            const Cost& part = best[pyramid.index(level - 1, cx, cy)];
-            cost.error_sq += part.error_sq;
-            cost.bytes += part.bytes;
-        });
-        return cost;
-    };
-    for (std::size_t level = 0; level < pyramid.levels(); ++level)
-        for (std::uint32_t y = 0; y < pyramid.height(level); ++y)
-            for (std::uint32_t x = 0; x < pyramid.width(level); ++x) {
-                const std::size_t b = pyramid.index(level, x, y);
-                const LightBlock& block = pyramid.block(level, x, y);
-                if (block.surface.area == 0) continue;  // uncovered, and costs nothing
-                const Kept kept = cheapest(costs[b], with_normals, byte_price);
-                choice.of_block[b] = static_cast<std::uint8_t>(kept.kind);
-                best[b] = kept.cost;
-                if (level == 0 || (costs[b].may_be_one && block.hits < least_hits_to_divide)) continue;
-                const Cost division = cost_of_division(level, x, y);
-                if (costs[b].may_be_one && kept.cost.at(byte_price) <= division.at(byte_price)) continue;
-                choice.of_block[b] = divided;
-                best[b] = division;
-            }
-    choice.error_sq = best.back().error_sq;
-    return choice;
+    return Choosing(pyramid, costs, with_normals, byte_price).take();
 }
 
 }  // namespace shlm

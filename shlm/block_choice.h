@@ -18,10 +18,6 @@ struct BlockChoice {
 [[nodiscard]] double bytes_of(BlockKind kind, bool with_normal);
 inline constexpr double bytes_of_division = 16;
 
-/// Blocks of fewer hits stay whole where they are one surface: what six hits a part say is chance. With more,
-/// small surfaces of many shapes lose what tells them apart (atrium); with fewer, noise is kept.
-inline constexpr double least_hits_to_divide = 25;
-
 /// The least of error + byte_price * bytes over all ways to divide the face: each block is worth dividing
 /// where its parts together cost less (Breiman et al., "Classification and Regression Trees", 1984, ch. 3).
 /// `byte_price`: in units of the error, per byte.

@@ -60,15 +60,14 @@ class CostsOfFace {
   public:
     CostsOfFace(const LightPyramid& pyramid, const NormalsInUse& normals, const LightStatistics& statistics)
         : pyramid_(pyramid), normals_(normals), statistics_(statistics), costs_(pyramid.block_count()) {
-        (void)visit(pyramid.levels() - 1, 0, 0, {});
+        (void)visit(pyramid.levels() - 1, 0, 0, {}, true);
     }
 
     [[nodiscard]] std::vector<BlockCosts> take() && { return std::move(costs_); }
 
   private:
-    SquareSums visit(std::size_t level, std::uint32_t x, std::uint32_t y, Neighbourhood around) {
+    SquareSums visit(std::size_t level, std::uint32_t x, std::uint32_t y, Neighbourhood around, bool asked) {
         const LightBlock& block = pyramid_.block(level, x, y);
-        BlockCosts& costs = costs_[pyramid_.index(level, x, y)];
         SquareSums sums;
         if (block.surface.area == 0) return sums;
         if (around.hits_per_area == 0 || (block.hits >= hits_to_know && block.surface.one))
@@ -76,10 +75,10 @@ class CostsOfFace {
         if (level == 0)
             sums = texel_sums(block, around);
         else
-            pyramid_.for_children(level, x, y,
-                                  [&](auto cx, auto cy) { sums += visit(level - 1, cx, cy, around); });
-        costs.may_be_one = block.surface.one;
-        set_errors(block, around, sums, costs);
+            pyramid_.for_children(level, x, y, [&](auto cx, auto cy) {
+                sums += visit(level - 1, cx, cy, around, asked && !stays_whole(block));
+            });
+        if (asked) set_errors(block, around, sums, costs_[pyramid_.index(level, x, y)]);
         return sums;
     }
 
@@ -106,8 +105,9 @@ class CostsOfFace {
     }
 
     void set_errors(const LightBlock& block, const Neighbourhood& around, const SquareSums& sums,
-                    BlockCosts& costs) const {
+                    BlockCosts& costs) {
         const BlockLight light = block.light();
+        answer_by_order_2(light, block.surface.unit_normal());
         double dark = 0, by_space = 0, noise = 0, relative_light = 0;
         for (std::size_t c = 0; c < 3; ++c) {
             const double e = light.surface[static_cast<int>(c)];
@@ -135,29 +135,33 @@ class CostsOfFace {
         }
     }
 
+    /// For all normals in use.
+    void answer_by_order_2(const BlockLight& light, const Vec3& face_normal) {
+        const common::Frame frame(face_normal);
+        bent_.clear();
+        for (const Vec3& bent : normals_.bent) {
+            const Vec3 normal = frame.to_world(bent);
+            bent_.push_back({normal, evaluate_series<2>(light.by_normal, evaluate_sh<2>(normal))});
+        }
+    }
+
     /// Mean over the normals in use of the squared difference to order 2, weighted as SquareSums::weight.
     [[nodiscard]] double left_out_by(BlockKind kind, const BlockLight& light, const Vec3& face_normal,
                                      const SquareSums& sums) const {
-        const common::Frame frame(face_normal);
-        const auto answers = [&](auto basis) {
-            using Basis = decltype(basis);
+        const auto mean_square = [&](auto kept) {
             double error_sq = 0;
-            const auto numbers = numbers_of<Basis>(light, face_normal);
-            for (const Vec3& bent : normals_.bent) {
-                const Vec3 normal = frame.to_world(bent);
-                const Rgb kept = Basis::irradiance(numbers, face_normal, typename Basis::Question(normal));
-                error_sq +=
-                    weighted_square(kept - evaluate_series<2>(light.by_normal, evaluate_sh<2>(normal)), sums);
-            }
-            return error_sq / static_cast<double>(normals_.bent.size());
+            for (const Bent& bent : bent_)
+                error_sq += weighted_square(kept(bent.normal) - bent.order_2, sums);
+            return error_sq / static_cast<double>(bent_.size());
         };
-        if (kind != BlockKind::flat) return with_directional_basis(kind, answers);
-        double error_sq = 0;
-        for (const Vec3& bent : normals_.bent)
-            error_sq += weighted_square(
-                light.surface - evaluate_series<2>(light.by_normal, evaluate_sh<2>(frame.to_world(bent))),
-                sums);
-        return error_sq / static_cast<double>(normals_.bent.size());
+        if (kind == BlockKind::flat) return mean_square([&](const Vec3&) { return light.surface; });
+        return with_directional_basis(kind, [&](auto basis) {
+            using Basis = decltype(basis);
+            const auto numbers = numbers_of<Basis>(light, face_normal);
+            return mean_square([&](const Vec3& normal) {
+                return Basis::irradiance(numbers, face_normal, typename Basis::Question(normal));
+            });
+        });
     }
 
     [[nodiscard]] static double weighted_square(const Rgb& error, const SquareSums& sums) {
@@ -172,6 +176,12 @@ class CostsOfFace {
     const NormalsInUse& normals_;
     const LightStatistics& statistics_;
     std::vector<BlockCosts> costs_;
+
+    struct Bent {
+        Vec3 normal;
+        Rgb order_2;  ///< irradiance
+    };
+    std::vector<Bent> bent_;  ///< of the block whose errors are set
 };
 
 /// (Variance of four blocks' light) / (what it would be if hits were alike), of all blocks of four that are

@@ -5,11 +5,17 @@
 
 namespace shlm {
 
+/// Blocks of fewer hits stay whole where they are one surface: what six hits a part say is chance. With more,
+/// small surfaces of many shapes lose what tells them apart (atrium); with fewer, noise is kept.
+inline constexpr double least_hits_to_divide = 25;
+[[nodiscard]] inline bool stays_whole(const LightBlock& block) {
+    return block.surface.one && block.hits < least_hits_to_divide;
+}
+
 /// Sums over the surface of (error of the irradiance)^2 / (irradiance^2 + epsilon), mean of the channels,
 /// times area: world units squared. Estimates, from the light that was summed and from how many hits it is.
 struct BlockCosts {
     std::array<float, block_kinds> error_sq{};
-    bool may_be_one = true;  ///< one surface: it need not be divided
 };
 
 /// What the estimates need to know of the whole map.
@@ -21,7 +27,8 @@ struct LightStatistics {
 
 [[nodiscard]] LightStatistics light_statistics(std::span<const LightPyramid> pyramids);
 
-/// One entry per block, level by level, row by row.
+/// One entry per block, level by level, row by row. Those within a block that stays whole are left at zero:
+/// nobody asks for them, and they are most.
 ///
 /// Of a block that becomes one: the error by space is what its texels differ by more than the noise lets
 /// them; that of the basis, for the normals in use, is the series of order 2 less the basis's, less what the

@@ -50,6 +50,12 @@ shlm::TexelSums<AdaptiveModel> sums_of(const PreparedTexels& texels, const Vec3&
     return sums;
 }
 
+/// Of one watt for each unit of the sums.
+AdaptiveMap map_of(const shlm::TexelSums<AdaptiveModel>& sums, const PreparedTexels& texels,
+                   double wanted_error, bool smooth) {
+    return {shlm::BlockSearch(sums, texels, 1), texels.layout, wanted_error, smooth};
+}
+
 std::size_t count_of(const AdaptiveMap& map, BlockKind kind) {
     return map.blocks()[static_cast<std::size_t>(kind)];
 }
@@ -59,7 +65,7 @@ TEST(AdaptiveMap, OneLightOnAFlatFloorIsOneNumber) {
     const PreparedTexels texels = texels_of(scene, 4096);
     const auto sums = sums_of(texels, Vec3(0.6f, 0, 0.8f), [](float, float) { return 1000; });
     for (const bool smooth : {false, true}) {
-        const AdaptiveMap map(sums, texels, 1, 0.01, smooth);
+        const AdaptiveMap map = map_of(sums, texels, 0.01, smooth);
         EXPECT_EQ(count_of(map, BlockKind::flat), 1u);
         EXPECT_EQ(std::accumulate(map.blocks().begin(), map.blocks().end(), std::size_t{0}), 1u);
         EXPECT_LT(map.bytes(), 200u) << "two triangles, one block";
@@ -71,7 +77,7 @@ TEST(AdaptiveMap, AnEdgeBetweenTexelsIsDrawnExactly) {
     const Scene scene = floor_of(plain);
     const PreparedTexels texels = texels_of(scene, 4096);
     const auto sums = sums_of(texels, Vec3(0, 0, 1), [](float x, float) { return x < 0.25f ? 1000 : 0; });
-    const AdaptiveMap map(sums, texels, 1, 0.01, false);
+    const AdaptiveMap map = map_of(sums, texels, 0.01, false);
     EXPECT_EQ(count_of(map, BlockKind::flat), 4u) << "four squares of a quarter's width";
     EXPECT_EQ(count_of(map, BlockKind::dark), 4u + 2u) << "four beside them, then two of half the width";
     for (const float t : {0.1f, 0.6f}) {
@@ -84,7 +90,7 @@ TEST(AdaptiveMap, SmoothBlocksMeetHalfWay) {
     const Scene scene = floor_of(plain);
     const PreparedTexels texels = texels_of(scene, 4);
     const auto sums = sums_of(texels, Vec3(0, 0, 1), [](float x, float) { return x < 0.5f ? 1000 : 3000; });
-    const AdaptiveMap map(sums, texels, 1, 0.001, true);
+    const AdaptiveMap map = map_of(sums, texels, 0.001, true);
     EXPECT_EQ(count_of(map, BlockKind::flat), 4u);
     for (const auto& [s, expected] :
          {std::pair{0.1f, 1.0}, {0.25f, 1.0}, {0.5f, 2.0}, {0.625f, 2.5}, {0.9f, 3.0}})
@@ -116,7 +122,7 @@ struct RandomLight {
 
 TEST(AdaptiveMap, NoiseIsNotStored) {
     const RandomLight light(0, 16384, 100'000, 1);
-    const AdaptiveMap map(light.sums, light.texels, 1, 0.02, false);
+    const AdaptiveMap map = map_of(light.sums, light.texels, 0.02, false);
     // A block of all 1e5 hits has noise of 0.3 %.
     EXPECT_LE(std::accumulate(map.blocks().begin(), map.blocks().end(), std::size_t{0}), 4u);
     EXPECT_NEAR(map.irradiance(point_at(light.scene, 0.5f, 0.5f)).x, 1, 0.05);
@@ -124,7 +130,7 @@ TEST(AdaptiveMap, NoiseIsNotStored) {
 
 TEST(AdaptiveMap, AnErrorBelowTheNoiseIsNotPromised) {
     const RandomLight light(0, 16384, 2000, 1);
-    const AdaptiveMap map(light.sums, light.texels, 1, 1e-3, false);
+    const AdaptiveMap map = map_of(light.sums, light.texels, 1e-3, false);
     EXPECT_GT(map.estimated_error(), 1e-2) << "2000 hits know 2.2 %";
     EXPECT_LE(std::accumulate(map.blocks().begin(), map.blocks().end(), std::size_t{0}), 200u);
 }
@@ -135,7 +141,7 @@ TEST(AdaptiveMap, EstimatesItsError) {
     constexpr unsigned runs = 100;
     for (unsigned seed = 1; seed <= runs; ++seed) {
         const RandomLight light(0, 256, 1000, seed);
-        const AdaptiveMap map(light.sums, light.texels, 1, 0.1, false);
+        const AdaptiveMap map = map_of(light.sums, light.texels, 0.1, false);
         double sum = 0;
         constexpr int side = 16;
         for (int i = 0; i < side * side; ++i) {
@@ -156,7 +162,7 @@ TEST(AdaptiveMap, BentNormalsNeedDirectionsAndFlatOnesDoNot) {
         const Scene scene = floor_of(plain, bend);
         const PreparedTexels texels = texels_of(scene, 64);
         const auto sums = sums_of(texels, Vec3(0.6f, 0, 0.8f), [&](float, float) { return hits; });
-        return AdaptiveMap(sums, texels, 1, 0.02, false).blocks();
+        return map_of(sums, texels, 0.02, false).blocks();
     };
     const auto flat = kinds_of(0, 1000), bent = kinds_of(0.5f, 1000);
     EXPECT_EQ(flat[static_cast<std::size_t>(BlockKind::flat)], 1u);
@@ -168,9 +174,20 @@ TEST(AdaptiveMap, BentNormalsNeedDirectionsAndFlatOnesDoNot) {
 
 TEST(AdaptiveMap, DirectionsThatNoiseHidesAreNotStored) {
     const RandomLight few(0.1f, 64, 30, 1), many(0.1f, 64, 300'000, 1);
-    EXPECT_EQ(count_of(AdaptiveMap(few.sums, few.texels, 1, 0.5, false), BlockKind::flat), 1u);
-    EXPECT_EQ(count_of(AdaptiveMap(many.sums, many.texels, 1, 0.003, false), BlockKind::flat), 0u)
+    EXPECT_EQ(count_of(map_of(few.sums, few.texels, 0.5, false), BlockKind::flat), 1u);
+    EXPECT_EQ(count_of(map_of(many.sums, many.texels, 0.003, false), BlockKind::flat), 0u)
         << "under uniform light a normal that is bent by 0.14 has 0.5 % less";
+}
+
+TEST(AdaptiveMap, OneSearchMakesMapsOfManyErrors) {
+    const RandomLight light(0.3f, 16384, 50'000, 1);
+    const shlm::BlockSearch search(light.sums, light.texels, 1);
+    for (const double wanted : {0.3, 0.1, 0.2}) {
+        const AdaptiveMap one_of_many(search, light.texels.layout, wanted, false);
+        const AdaptiveMap alone = map_of(light.sums, light.texels, wanted, false);
+        EXPECT_EQ(one_of_many.blocks(), alone.blocks()) << wanted;
+        EXPECT_EQ(one_of_many.estimated_error(), alone.estimated_error()) << wanted;
+    }
 }
 
 TEST(AdaptiveMap, IsTheSameForAnyNumberOfThreads) {
@@ -179,7 +196,7 @@ TEST(AdaptiveMap, IsTheSameForAnyNumberOfThreads) {
         common::ThreadPool pool(threads);
         std::vector<float> found;
         pool.run([&] {
-            const AdaptiveMap map(light.sums, light.texels, 1, 0.1, true);
+            const AdaptiveMap map = map_of(light.sums, light.texels, 0.1, true);
             found.push_back(static_cast<float>(map.bytes()));
             for (int i = 0; i < 1000; ++i)
                 found.push_back(map.irradiance(point_at(light.scene, static_cast<float>(i) / 1000, 0.37f)).x);
@@ -193,7 +210,7 @@ TEST(AdaptiveMap, BacksOfSingleSidedSurfacesAreDark) {
     const Scene scene = floor_of(plain);
     const PreparedTexels texels = texels_of(scene, 64);
     const auto sums = sums_of(texels, Vec3(0, 0, 1), [](float, float) { return 100; });
-    const AdaptiveMap map(sums, texels, 1, 0.1, true);
+    const AdaptiveMap map = map_of(sums, texels, 0.1, true);
     EXPECT_GT(map.irradiance(point_at(scene, 0.5f, 0.4f)).x, 0);
     EXPECT_EQ(map.irradiance(common::surface_point_at(scene, on_quad(0, 0.5f, 0.4f), {0, 0, 1})).x, 0);
 }
@@ -202,7 +219,7 @@ TEST(AdaptiveMap, OfNoHitsIsDark) {
     const Scene scene = floor_of(plain);
     const PreparedTexels texels = texels_of(scene, 64);
     const shlm::TexelSums<AdaptiveModel> sums(texels.geometry.size(), shlm::Quantum(Rgb(1, 1, 1)));
-    const AdaptiveMap map(sums, texels, 1, 0.1, true);
+    const AdaptiveMap map = map_of(sums, texels, 0.1, true);
     EXPECT_EQ(count_of(map, BlockKind::dark), 1u);
     EXPECT_EQ(map.estimated_error(), 0);
     EXPECT_EQ(map.irradiance(point_at(scene, 0.5f, 0.4f)), Rgb(0, 0, 0));

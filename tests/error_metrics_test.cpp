@@ -95,6 +95,17 @@ TEST(Difference, CountsAHundredthOfTheValuesBeyondThe99thPercentile) {
     EXPECT_EQ(figures.worst.channel, 299 * 77 % 300 % 3);
 }
 
+TEST(Difference, SaysWhatAThousandthOfThePixelsHas) {
+    const Pixels reference = grey(1500, 1);  // a thousandth is two pixels, begun ones counted
+    Pixels image = reference;
+    for (Rgb& pixel : image) pixel.x += 0.01f;
+    image[700] += Rgb(3, 0, 0);
+    image[900] += Rgb(0, 0, 4);
+    const double two = 3.01 * 3.01 + 4 * 4 + 0.01 * 0.01, others = 1498 * 0.01 * 0.01;
+    EXPECT_NEAR(difference(image, reference).worst_share, two / (two + others), 1e-6);
+    EXPECT_EQ(difference(reference, reference).worst_share, 0);
+}
+
 TEST(Difference, OfOnePixelHasItsErrorForAllPercentiles) {
     const DifferenceFigures figures = difference(grey(1, 3), grey(1, 1));
     EXPECT_NEAR(figures.relative_error_p99, 2 / std::sqrt(1.01), 1e-6);

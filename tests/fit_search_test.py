@@ -14,6 +14,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "bench" / "report"))
 
 import fit_search
+import fit_verdict
 from study_data import Study, StudyError
 from synthetic_study import Law, Plan, write_study
 
@@ -96,6 +97,22 @@ class FitSearch(unittest.TestCase):
             code, out, err = self.run_main(self.folder, file)
             self.assertEqual((code, out, err.count("\n")), (2, "", 1))
         self.assertEqual(self.run_main(self.folder)[0], 2)
+
+
+class FitVerdict(unittest.TestCase):
+    def test_says_what_runs_measure_with_and_without_their_worst_points(self):
+        runs = [{"error": 0.1, "worst_share": 0.5, "seconds": 2, "bytes": 3e6},
+                {"error": 0.12, "worst_share": 0.75, "seconds": 4, "bytes": 3e6}]
+        cells = [cell.strip() for cell in fit_verdict.row({**fit_of(verified=runs), "least": "time"}, "light_map").split("|")]
+        self.assertEqual(float(cells[8]), 9.0)
+        self.assertAlmostEqual(float(cells[9]), 100 * math.sqrt((0.1**2 + 0.12**2) / 2), delta=0.1)
+        self.assertAlmostEqual(float(cells[10]), 100 * math.sqrt((0.1**2 * 0.5 + 0.12**2 * 0.25) / 2), delta=0.01)
+        self.assertEqual(cells[11], "1 of 2")
+
+    def test_rows_have_as_many_cells_as_the_head(self):
+        columns = fit_verdict.HEAD.splitlines()[0].count("|")
+        for kind in ("light_map", "photon_map"):
+            self.assertEqual(fit_verdict.row({**fit_of(), "least": "time"}, kind).count("|"), columns, kind)
 
 
 if __name__ == "__main__":

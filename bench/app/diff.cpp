@@ -107,6 +107,7 @@ Json facts(const DiffOptions& options, const common::ComparableImages& both, con
             {"relative_error_p99", figures.relative_error_p99},
             {"relative_error_max", figures.relative_error_max},
             {"worst", worst_value(figures.worst, both)},
+            {"worst_share", figures.worst_share},
             {"flip", measured.flip},
             {"flip_pixels_per_degree", common::flip_pixels_per_degree},
             {"flip_exposures",

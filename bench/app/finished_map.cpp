@@ -26,10 +26,15 @@ auto with_basis(LightBasis basis, Work work) {
 
 }  // namespace
 
-shlm::AdaptiveMap make_adaptive_map(const ShlmMethod& method, const shlm::Sink<shlm::AdaptiveModel>& sink,
-                                    const common::TraceReport& trace) {
-    return {sink.accumulator().sums(), sink.texels(), trace.watts_per_flux(),
-            method.wanted_error_percent / 100, std::holds_alternative<shlm::Bilinear>(method.gather)};
+shlm::BlockSearch search_blocks(const shlm::Sink<shlm::AdaptiveModel>& sink,
+                                const common::TraceReport& trace) {
+    return {sink.accumulator().sums(), sink.texels(), trace.watts_per_flux()};
+}
+
+shlm::AdaptiveMap adaptive_map(const ShlmMethod& method, const shlm::BlockSearch& search,
+                               const shlm::TexelLayout& layout) {
+    return {search, layout, method.wanted_error_percent / 100,
+            std::holds_alternative<shlm::Bilinear>(method.gather)};
 }
 
 template <class Model>
@@ -38,7 +43,7 @@ FinishedLightMap finished_map(const ShlmMethod& method, const shlm::Sink<Model>&
     const float scale = trace.watts_per_flux();
     if constexpr (std::same_as<Model, shlm::AdaptiveModel>)
         if (method.basis == LightBasis::adaptive)
-            return FinishedLightMap(make_adaptive_map(method, sink, trace));
+            return FinishedLightMap(adaptive_map(method, search_blocks(sink, trace), sink.texels().layout));
     return with_basis<Model>(method.basis, [&](auto basis) {
         using Basis = decltype(basis);
         if (method.in_halves)

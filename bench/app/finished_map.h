@@ -32,10 +32,13 @@ class FinishedLightMap {
 
 static_assert(common::IrradianceEstimator<FinishedLightMap>);
 
-/// Of a method that makes one.
-[[nodiscard]] shlm::AdaptiveMap make_adaptive_map(const ShlmMethod& method,
-                                                  const shlm::Sink<shlm::AdaptiveModel>& sink,
-                                                  const common::TraceReport& trace);
+/// What adaptive maps of all errors are made from.
+[[nodiscard]] shlm::BlockSearch search_blocks(const shlm::Sink<shlm::AdaptiveModel>& sink,
+                                              const common::TraceReport& trace);
+
+/// Of a method that makes one. `layout`: of the sink's texels.
+[[nodiscard]] shlm::AdaptiveMap adaptive_map(const ShlmMethod& method, const shlm::BlockSearch& search,
+                                             const shlm::TexelLayout& layout);
 
 /// What the method makes of a light map's sums.
 template <class Model>

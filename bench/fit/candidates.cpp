@@ -17,7 +17,8 @@ const std::vector<std::string> gathers = {"own", "bilinear", "bilinear/face", "k
 const std::vector<std::string> adaptive_gathers = {"bilinear", "bilinear/face"};
 const std::vector<std::string> kernels = {"disc", "epanechnikov"};
 constexpr double fewest_texels = 1024, most_texels = 4194304;
-const std::vector<double> adaptive_percents = {0.7, 1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32};
+const std::vector<double> adaptive_percents = {0.7, 0.84, 1, 1.2, 1.4, 1.7, 2,  2.4, 2.8, 3.4, 4, 4.7,
+                                               5.6, 6.7,  8, 9.5, 11,  13,  16, 19,  22,  27,  32};
 const std::vector<double> adaptive_texels = {65536, 262144, 1048576};
 constexpr double largest_radius = 0.1, smallest_radius = 0.001;  // scene diagonals
 constexpr int radii = 14;

@@ -49,12 +49,12 @@ std::vector<SurfaceError> surface_errors(const FitResult& result, const PilotSub
     return surfaces;
 }
 
-shlm::AdaptiveMap adaptive_map(const Method& method, std::uint64_t hits, const PilotSubject& subject) {
+shlm::AdaptiveMap traced_map(const Method& method, std::uint64_t hits, const PilotSubject& subject) {
     shlm::Sink<shlm::AdaptiveModel> sink(subject.prepared.texels_of(*method.light_map()), shlm::OwnTexel{},
                                          shlm::Quantum(subject.source.power()));
     const auto trace =
         traced_run(method.name, subject.loaded, subject.source, subject.seed, {.hits = hits}, sink);
-    return make_adaptive_map(*method.light_map(), sink, trace);
+    return adaptive_map(*method.light_map(), search_blocks(sink, trace), sink.texels().layout);
 }
 
 std::optional<SeenBlock> seen_block(const common::VisibleSurface& seen, const shlm::PreparedTexels& texels,
@@ -84,7 +84,7 @@ Explanation explain(const FitResult& result, const PilotSubject& subject) {
     const Method method = parse_method("fit", candidate.name(hits));
     const shlm::PreparedTexels& texels = subject.prepared.texels_of(*method.light_map());
     std::optional<shlm::AdaptiveMap> adaptive;
-    if (candidate.is_adaptive()) adaptive = adaptive_map(method, hits, subject);
+    if (candidate.is_adaptive()) adaptive = traced_map(method, hits, subject);
 
     Explanation explanation{surface_errors(result, subject), picture_width, picture_height, {}};
     const std::string basis = candidate.basis.substr(0, candidate.basis.find('/'));

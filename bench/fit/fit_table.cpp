@@ -56,6 +56,7 @@ Json runs_as_json(std::span<const fit::VerifiedRun> runs) {
         all.push_back({{"seed", run.seed},
                        {"hits", run.hits},
                        {"error", run.error},
+                       {"worst_share", run.worst_share},
                        {"flip", run.flip},
                        {"seconds", run.seconds},
                        {"bytes", run.bytes}});
@@ -155,8 +156,10 @@ std::string measured_text(const Json& document, const Json& entry) {
     for (const Json& run : entry["verified"]) {
         text += first ? "" : ", ";
         text += by_flip ? fmt::format("{:.3g}, ", run["flip"].get<double>()) : "";
-        text += fmt::format("{:.3g} % ({:.3g} s)", 100 * run["error"].get<double>(),
-                            run["seconds"].get<double>());
+        const double error = run["error"], worst_share = run["worst_share"];
+        text +=
+            fmt::format("{:.3g} % ({:.3g} % without the worst thousandth of the points; {:.3g} s)",
+                        100 * error, 100 * error * std::sqrt(1 - worst_share), run["seconds"].get<double>());
         first = false;
     }
     return text;
@@ -220,7 +223,7 @@ std::string fit_as_text(const Json& document) {
         else
             text += fmt::format("{}: out of reach: {}\n", name, entry["reason"].get<std::string>());
         if (const std::string measured = measured_text(document, entry); !measured.empty())
-            text += "  " + measured + "\n";
+            text += fmt::format("  {}\n", measured);
     }
     if (document.contains("explanation"))
         text += "\n" + explanation_text(document["explanation"], rows_of_table);

@@ -23,7 +23,9 @@ VerifiedRun run_once(const Method& method, std::uint64_t hits, std::uint64_t see
         const std::vector<common::Rgb> answers = ask(map, scene.points());
         run.seconds = trace.trace_seconds + insert_seconds + map.build_seconds + gather.seconds();
         run.bytes = map.bytes;
-        run.error = common::difference(answers, scene.truth()).relative_rms;
+        const common::DifferenceFigures figures = common::difference(answers, scene.truth());
+        run.error = figures.relative_rms;
+        run.worst_share = figures.worst_share;
         run.flip = common::flip_mean(scene.flip(answers));
     });
     stop_if_interrupted();

@@ -17,17 +17,35 @@ StudyMap study_map(const Method& method, const Map& map, double build_seconds) {
             .bytes = map.bytes()};
 }
 
+/// What adaptive maps of all errors share is found once; each method is charged for it.
 template <class Model>
 void finish_store(shlm::Sink<Model>& sink, const std::vector<Method>& methods, const PreparedMethods&,
                   const common::TraceReport& trace, const UseMap& use) {
-    for (const Method& method : methods) {
-        const common::Stopwatch build;
-        const auto map = finished_map(*method.light_map(), sink, trace);
-        StudyMap result = study_map(method, map, build.seconds());
+    std::optional<shlm::BlockSearch> search;
+    double search_seconds = 0;
+    const auto use_map = [&](const Method& method, const FinishedLightMap& map, double build_seconds) {
+        StudyMap result = study_map(method, map, build_seconds);
         result.insert_bytes = sink.bytes();
         result.hits_rejected = sink.rejected().total();
         result.clamped_share = sink.accumulator().clamped().discarded_share();
         use(result);
+    };
+    for (const Method& method : methods) {
+        const ShlmMethod& light_map = *method.light_map();
+        const common::Stopwatch build;
+        if constexpr (std::same_as<Model, shlm::AdaptiveModel>)
+            if (light_map.basis == LightBasis::adaptive) {
+                if (!search) {
+                    search.emplace(search_blocks(sink, trace));
+                    search_seconds = build.seconds();
+                }
+                const common::Stopwatch choosing;
+                const FinishedLightMap map(adaptive_map(light_map, *search, sink.texels().layout));
+                use_map(method, map, search_seconds + choosing.seconds());
+                continue;
+            }
+        const FinishedLightMap map = finished_map(light_map, sink, trace);
+        use_map(method, map, build.seconds());
     }
 }
 

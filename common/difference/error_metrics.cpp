@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "common/core/input_error.h"
@@ -44,6 +47,18 @@ double quantile(std::vector<double> values, double share) {
     const auto at = values.begin() + rank - 1;
     std::nth_element(values.begin(), at, values.end());
     return *at;
+}
+
+/// What the largest thousandth of pixels, one at least, has of the sum of squares; `errors` are three a
+/// pixel.
+double share_of_worst(std::span<const double> errors) {
+    std::vector<double> square(errors.size() / 3);
+    for (std::size_t p = 0; p < square.size(); ++p)
+        for (const double error : errors.subspan(3 * p, 3)) square[p] += error * error;
+    std::sort(square.begin(), square.end());
+    const double all = std::accumulate(square.begin(), square.end(), 0.0);
+    const auto worst = static_cast<std::ptrdiff_t>(std::ceil(0.001 * static_cast<double>(square.size())));
+    return all > 0 ? std::accumulate(square.end() - worst, square.end(), 0.0) / all : 0;
 }
 
 void check_pixels(std::span<const Rgb> image, std::span<const Rgb> reference) {
@@ -93,7 +108,8 @@ DifferenceFigures difference(std::span<const Rgb> image, std::span<const Rgb> re
             .relative_bias = mean_image / mean_reference - 1,
             .relative_error_p99 = quantile(errors, 0.99),
             .relative_error_max = *worst,
-            .worst = {pixel, channel, image[pixel][channel], reference[pixel][channel]}};
+            .worst = {pixel, channel, image[pixel][channel], reference[pixel][channel]},
+            .worst_share = share_of_worst(errors)};
 }
 
 }  // namespace common

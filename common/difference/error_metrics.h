@@ -29,6 +29,7 @@ struct DifferenceFigures {
     double relative_error_p99 = 0;  ///< of |I - R| / sqrt(R^2 + epsilon): 99 % of all values have no more
     double relative_error_max = 0;  ///< the largest of these
     WorstValue worst;               ///< the first that has it
+    double worst_share = 0;         ///< of relmse: the part of the thousandth of all pixels that has most
 };
 
 /// What keeps relative errors of dark pixels in bounds: 0.01 (mean R)^2. Throws InputError where it is no

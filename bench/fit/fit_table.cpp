@@ -245,7 +245,7 @@ std::string fit_as_markdown(const Json& document) {
         else
             text += fmt::format("Out of reach: {}.\n", entry["reason"].get<std::string>());
         if (const std::string measured = measured_text(document, entry); !measured.empty())
-            text += "\n" + measured + "\n";
+            text += fmt::format("\n{}\n", measured);
         const Json& rows = document[std::string(key) + "s"];
         if (rows.empty()) continue;
         text +=

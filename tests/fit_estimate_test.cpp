@@ -308,4 +308,16 @@ TEST(FitChain, TakesTheLeastUpperBound) {
     EXPECT_FALSE(model[5]);
 }
 
+/// A map that shows nothing of the light has all of its variance as blur, and so has one of half its width.
+TEST(FitChain, WhatIsMeasuredIsNotContradictedByTheLaw) {
+    const std::vector<Candidate> candidates = two_chains();
+    std::vector<std::optional<ErrorModel>> model(candidates.size());
+    model[0] = {.pilot_hits = 1e5, .blur_sq = 0.3, .bias_variance = 1e-8};
+    model[1] = {.pilot_hits = 1e5, .blur_sq = 0.29, .bias_variance = 1e-6};
+    model[2] = {.pilot_hits = 1e5, .blur_sq = 0.2, .bias_variance = 1e-2};
+    carry_on(candidates, 1, model);
+    EXPECT_EQ(model[1]->blur_sq, 0.29) << "not 0.15";
+    EXPECT_DOUBLE_EQ(model[2]->blur_sq, 0.145) << "may be that little";
+}
+
 }  // namespace

@@ -9,6 +9,14 @@ bool has_width_of_its_own(const Candidate& candidate) {
     return candidate.kind != CandidateKind::photon_share;
 }
 
+/// Whether what was measured leaves room for what is carried on and knows less. Where it does not, the law
+/// does not hold: maps so coarse that they lose all there is to see blur hardly less when they are a little
+/// finer.
+bool says_more(const ErrorModel& carried, const ErrorModel& own, double z) {
+    return carried.upper_bias_sq(z) < own.upper_bias_sq(z) &&
+           carried.upper_bias_sq(z) >= own.lower_bias_sq(z);
+}
+
 /// Its bias by `coarse`, its noise its own.
 ErrorModel with_bias_of(ErrorModel own, const ErrorModel& carried) {
     own.blur_sq = carried.blur_sq;
@@ -38,8 +46,7 @@ void carry_on(std::span<const Candidate> candidates, double z, std::span<std::op
                 carried_on(*model[*known], candidates[*known].width(), candidates[i].width());
             if (!model[i])
                 model[i] = carried;
-            else if (has_width_of_its_own(candidates[i]) &&
-                     carried.upper_bias_sq(z) < model[i]->upper_bias_sq(z))
+            else if (has_width_of_its_own(candidates[i]) && says_more(carried, *model[i], z))
                 model[i] = with_bias_of(*model[i], carried);
         }
         if (model[i]) known = i;

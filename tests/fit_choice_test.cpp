@@ -52,6 +52,17 @@ TEST_F(FitChoice, TakesTheLeastTime) {
     EXPECT_EQ(choice.reason, "");
 }
 
+TEST_F(FitChoice, IsUnsureWhereChanceMayHaveMadeIt) {
+    EXPECT_TRUE(is_sure(goal, light_map()));
+    goal.z = 1.3;
+    for (auto& model : estimates.model) model->bias_variance = 4e-4 * 4e-4;  // 0.21 of the target's square
+    const Choice choice = light_map();
+    ASSERT_TRUE(choice.reached) << choice.reason;
+    EXPECT_FALSE(is_sure(goal, choice));
+    goal.target = 0.01;
+    EXPECT_TRUE(is_sure(goal, light_map())) << "that it is out of reach is another matter";
+}
+
 TEST_F(FitChoice, PhotonMapsGrowAndSharesTakeEightPhotons) {
     ASSERT_TRUE(photon_map().reached);
     const Proposal chosen = photon_map().proposal;

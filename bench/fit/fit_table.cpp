@@ -63,9 +63,10 @@ Json runs_as_json(std::span<const fit::VerifiedRun> runs) {
     return all;
 }
 
-Json choice_as_json(const fit::FitResult& result, const fit::Choice& choice, double z,
+Json choice_as_json(const fit::FitResult& result, const fit::Choice& choice, const fit::FitGoal& goal,
                     std::span<const fit::VerifiedRun> verified) {
-    Json entry = {{"reached", choice.reached}};
+    const double z = goal.z;
+    Json entry = {{"reached", choice.reached}, {"sure", fit::is_sure(goal, choice)}};
     if (!choice.reached) entry["reason"] = choice.reason;
     if (choice.reached || choice.proposal.hits > 0)
         entry[choice.reached ? "choice" : "nearest"] = proposal_as_json(result, choice.proposal, z);
@@ -150,6 +151,8 @@ std::string measured_text(const Json& document, const Json& entry) {
     const bool by_flip = is_by_flip(document);
     if (by_flip && entry.contains("choice"))
         text = fmt::format("expected: FLIP {:.3g}", entry["choice"]["expected"].get<double>());
+    if (!entry["sure"].get<bool>())
+        text = "unsure: chance has a large part in the estimate; a larger --pilot knows more";
     if (!entry.contains("verified")) return text;
     text += text.empty() ? "measured: " : "; measured: ";
     bool first = true;
@@ -188,22 +191,23 @@ Json fit_as_json(const FitPlan& plan, const common::Scene& scene, const fit::Fit
     context["settings"] = describe(plan.settings);
     context["lights_and_camera"] = fmt::format("{} {} {}", plan.scene.sky, plan.scene.sun, plan.scene.camera);
     const double z = plan.goal.z;
-    Json document = {{"context", context},
-                     {"definition", definition},
-                     {"scene", std::filesystem::path(plan.file).stem().string()},
-                     {"file", scene.source},
-                     {"fingerprint", common::fingerprint(scene)},
-                     {"target", plan.goal.target},
-                     {"metric", plan.goal.metric == fit::Metric::flip ? "FLIP" : "relative RMS"},
-                     {"least", plan.goal.least_bytes ? "bytes" : "time"},
-                     {"max_hits", plan.goal.max_hits},
-                     {"seed", plan.seed},
-                     {"pilot", pilot_as_json(plan, result)},
-                     {"light_map", choice_as_json(result, result.light_map, z, verified.light_map)},
-                     {"photon_map", choice_as_json(result, result.photon_map, z, verified.photon_map)},
-                     {"light_maps", rows_of(result, result.light_maps, z)},
-                     {"photon_maps", rows_of(result, result.photon_maps, z)},
-                     {"models", models_as_json(result)}};
+    Json document = {
+        {"context", context},
+        {"definition", definition},
+        {"scene", std::filesystem::path(plan.file).stem().string()},
+        {"file", scene.source},
+        {"fingerprint", common::fingerprint(scene)},
+        {"target", plan.goal.target},
+        {"metric", plan.goal.metric == fit::Metric::flip ? "FLIP" : "relative RMS"},
+        {"least", plan.goal.least_bytes ? "bytes" : "time"},
+        {"max_hits", plan.goal.max_hits},
+        {"seed", plan.seed},
+        {"pilot", pilot_as_json(plan, result)},
+        {"light_map", choice_as_json(result, result.light_map, plan.goal, verified.light_map)},
+        {"photon_map", choice_as_json(result, result.photon_map, plan.goal, verified.photon_map)},
+        {"light_maps", rows_of(result, result.light_maps, z)},
+        {"photon_maps", rows_of(result, result.photon_maps, z)},
+        {"models", models_as_json(result)}};
     if (plan.reference) {
         document["reference"] = plan.reference->string();
         document["reference_error"] = verified.reference_error;
@@ -226,7 +230,7 @@ std::string fit_as_text(const Json& document) {
             text += fmt::format("  {}\n", measured);
     }
     if (document.contains("explanation"))
-        text += "\n" + explanation_text(document["explanation"], rows_of_table);
+        text += fmt::format("\n{}", explanation_text(document["explanation"], rows_of_table));
     return text;
 }
 

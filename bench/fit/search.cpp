@@ -10,9 +10,8 @@ namespace bench::fit {
 namespace {
 
 constexpr std::uint64_t growth = 4, first_share = 256;
-constexpr double enough = 1.1;       // a candidate's hits are known to a tenth
-constexpr double most_doubt = 0.15;  // margin of a choice and blur of its measure, in squares of the target
-constexpr double worth_it = 1.2;     // the choice might cost so much less if there were no doubt
+constexpr double enough = 1.1;    // a candidate's hits are known to a tenth
+constexpr double worth_it = 1.2;  // the choice might cost so much less if there were no doubt
 
 struct State {
     const PilotSubject& subject;
@@ -94,14 +93,6 @@ bool is_decided(const State& state, const Choice& choice, bool light_maps) {
         if (!choice.reached || least * worth_it < price_of(state.goal, choice.proposal.cost)) return false;
     }
     return true;
-}
-
-/// Whether chance has little to say in it. With more doubt the least of many estimates is one that chance has
-/// flattered, and no margin for each alone makes up for that.
-bool is_sure(const FitGoal& goal, const Choice& choice) {
-    if (goal.metric == Metric::flip) return true;  // a mean over pixels of what is seen, not of squares
-    return !choice.reached || goal.z * choice.proposal.model.deviation(choice.proposal.hits) <=
-                                  most_doubt * goal.target * goal.target;
 }
 
 /// Whether what all maps are measured by blurs little itself. The rest is extrapolated, and creases narrower

@@ -8,6 +8,7 @@
 #include "common/core/threads.h"
 #include "tests/scene_builder.h"
 #include "tests/statistics.h"
+#include "tests/texels.h"
 
 namespace {
 
@@ -28,10 +29,6 @@ Scene floor_of(const Material& material, float bend = 0) {
             mesh.normal.push_back(Vec3(side * bend, bend, 1).normalized());
     add(scene, mesh, material);
     return scene;
-}
-
-PreparedTexels texels_of(const Scene& scene, std::size_t count) {
-    return {scene, shlm::find_lightmap_uv(scene), count};
 }
 
 SurfacePoint point_at(const Scene& scene, float s, float t) {

@@ -1,28 +1,14 @@
 // shlmbench bases as its user meets it.
-#include <gtest/gtest.h>
-
 #include "tests/command.h"
 
 namespace {
 
-namespace fs = std::filesystem;
-
-using child_process::Ended;
-using gltf_text::TemporaryDirectory;
+using namespace command;
 using Json = nlohmann::json;
-using Words = std::vector<std::string>;
 
-class BasesCommand : public testing::Test {
+class BasesCommand : public FolderCommand {
   protected:
-    TemporaryDirectory said, folder;
-
-    [[nodiscard]] fs::path out() const { return folder.path() / "new" / "bases"; }
-
-    [[nodiscard]] Ended run(const Words& more) const {
-        Words words = {"bases"};
-        words.insert(words.end(), more.begin(), more.end());
-        return command::run_command(words, said);
-    }
+    BasesCommand() : FolderCommand("bases") {}
 
     [[nodiscard]] Json document_of(const Words& more) const {
         Words words = {"--environments", "5", "--out", out().string()};
@@ -31,11 +17,6 @@ class BasesCommand : public testing::Test {
         EXPECT_EQ(ended.exit_code, 0) << ended.err;
         EXPECT_EQ(ended.err, "");
         return Json::parse(child_process::text_of(out() / "bases.json"));
-    }
-
-    void expect_refusal(const Words& words, const std::string& fragment) const {
-        command::expect_refused(run(words), {fragment});
-        EXPECT_FALSE(fs::exists(out()));
     }
 };
 

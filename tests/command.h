@@ -96,4 +96,26 @@ class Command : public testing::Test {
     }
 };
 
+/// A subcommand that writes into a folder which it makes.
+class FolderCommand : public Command {
+  protected:
+    explicit FolderCommand(std::string name) : name_(std::move(name)) {}
+
+    [[nodiscard]] fs::path out() const { return folder.path() / "new" / name_; }
+
+    [[nodiscard]] Ended run(const Words& more) const {
+        Words words = {name_};
+        words.insert(words.end(), more.begin(), more.end());
+        return Command::run(words);
+    }
+
+    void expect_refusal(const Words& words, const std::string& fragment) const {
+        expect_refused(run(words), {fragment});
+        EXPECT_FALSE(fs::exists(out()));
+    }
+
+  private:
+    std::string name_;
+};
+
 }  // namespace command

@@ -38,13 +38,8 @@ Image with(Image image, int x, int y, const std::string& channel, float value) {
     return image;
 }
 
-class Diff : public testing::Test {
+class Diff : public Command {
   protected:
-    TemporaryDirectory said;    ///< what the command prints
-    TemporaryDirectory folder;  ///< what it reads and writes
-
-    [[nodiscard]] std::string path(const std::string& name) const { return (folder.path() / name).string(); }
-
     /// Compares the two, written as image.exr and reference.exr.
     [[nodiscard]] Ended run(const Image& image, const Image& reference, const Words& more = {}) const {
         common::write_exr(path("image.exr"), image, {}, common::Precision::single);

@@ -3,6 +3,7 @@
 #include "photonmap/photon_sinks.h"
 #include "shlm/sink.h"
 #include "tests/statistics.h"
+#include "tests/texels.h"
 #include "tests/tracing.h"
 
 namespace {
@@ -22,9 +23,7 @@ Scene lit_box(const Rgb& albedo) {
     return scene;
 }
 
-shlm::PreparedTexels texels_of(const Scene& scene, std::size_t count = 10'000) {
-    return {scene, shlm::find_lightmap_uv(scene), count};
-}
+constexpr std::size_t texels_wanted = 10'000;
 
 /// Flux that each block of photons brings to the walls, W times the number emitted: independent, for the
 /// error.
@@ -61,7 +60,7 @@ Imath::V3d flux_in(const shlm::Accumulator<FluxModel>& accumulator) {
 void expect_multiplied_power(const Rgb& albedo) {
     constexpr std::uint64_t seed = 1;
     const Scene scene = lit_box(albedo);
-    const shlm::PreparedTexels texels = texels_of(scene);
+    const shlm::PreparedTexels texels = texels_of(scene, texels_wanted);
     PhotonStorage storage;
     struct StorageSink {
         PhotonStorage& storage;
@@ -130,7 +129,7 @@ TEST(Energy, PhotonMapsStoreEveryHit) {
 
 TEST(Energy, LightMapCountsWhatItCannotStore) {
     const Scene scene = room_with_trouble();
-    const shlm::PreparedTexels texels = texels_of(scene);
+    const shlm::PreparedTexels texels = texels_of(scene, texels_wanted);
     shlm::Sink<shlm::PaperModel> sink(texels, shlm::NearestTexels{}, quantum_for(scene));
     common::RecordingSink recorder;
     Tee both(sink, recorder);

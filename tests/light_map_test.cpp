@@ -4,6 +4,7 @@
 
 #include "shlm/sink.h"
 #include "tests/statistics.h"
+#include "tests/texels.h"
 #include "tests/tracing.h"
 
 namespace {
@@ -18,10 +19,6 @@ using shlm::PreparedTexels;
 using shlm::ShWeight;
 
 constexpr double degrees = pi / 180;
-
-PreparedTexels texels_of(const Scene& scene, std::size_t count) {
-    return {scene, shlm::find_lightmap_uv(scene), count};
-}
 
 /// A floor of 8 x 8 texels at z = 0, area 4.
 Scene sheet(const Material& material) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "shlm/sink.h"
+#include "tests/texels.h"
 #include "tests/tracing.h"
 
 namespace tests {
@@ -37,10 +38,6 @@ inline const Scene& floor_scene() {
         return scene;
     }();
     return made;
-}
-
-inline shlm::PreparedTexels texels_of(const Scene& scene, std::size_t count) {
-    return {scene, shlm::find_lightmap_uv(scene), count};
 }
 
 /// A hit that brings `flux` to the floor from there.

@@ -9,15 +9,8 @@ using namespace command;
 
 const std::string bumpy = build_folder + "/scenes/bumpy.glb";
 
-class ReferenceCommand : public testing::Test {
+class ReferenceCommand : public Command {
   protected:
-    TemporaryDirectory said;    ///< what the command prints
-    TemporaryDirectory folder;  ///< what it reads and writes
-
-    [[nodiscard]] std::string path(const std::string& name) const { return (folder.path() / name).string(); }
-
-    [[nodiscard]] Ended run(const Words& words) const { return run_command(words, said); }
-
     [[nodiscard]] std::set<std::string> files() const { return files_in(folder.path()); }
 
     /// The words of a small reference, with more words behind.

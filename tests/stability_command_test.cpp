@@ -1,6 +1,4 @@
 // The command of the stability cases: what it names, writes and keeps, and what it refuses.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -8,25 +6,14 @@
 
 namespace {
 
-namespace fs = std::filesystem;
-
-using child_process::Ended;
-using gltf_text::TemporaryDirectory;
+using namespace command;
 using Json = nlohmann::json;
-using Words = std::vector<std::string>;
 
-class StabilityCommand : public testing::Test {
+class StabilityCommand : public FolderCommand {
   protected:
-    TemporaryDirectory said, folder;
+    StabilityCommand() : FolderCommand("stability") {}
 
-    [[nodiscard]] fs::path out() const { return folder.path() / "new" / "stability"; }
     [[nodiscard]] std::string text() const { return child_process::text_of(out() / "stability.md"); }
-
-    [[nodiscard]] Ended run(const Words& more) const {
-        Words words = {"stability"};
-        words.insert(words.end(), more.begin(), more.end());
-        return command::run_command(words, said);
-    }
 
     /// The table's rows after a run of these cases in their short form.
     [[nodiscard]] Json rows_of(Words words) const {
@@ -36,11 +23,6 @@ class StabilityCommand : public testing::Test {
         for (const std::string& name : {words.front(), (out() / "stability.md").string()})
             EXPECT_NE(ended.out.find(name), std::string::npos) << ended.out;
         return Json::parse(child_process::text_of(out() / "stability.json"))["rows"];
-    }
-
-    void expect_refusal(const Words& words, const std::string& fragment) const {
-        command::expect_refused(run(words), {fragment});
-        EXPECT_FALSE(fs::exists(out()));
     }
 };
 
@@ -94,7 +76,7 @@ TEST_F(StabilityCommand, RefusesANameThatIsNone) {
 
 TEST_F(StabilityCommand, RefusesAFolderThatCannotBe) {
     const fs::path file = folder.write("file", std::string("x"));
-    command::expect_refused(run({"free-edge", "--short", "--out", (file / "below").string()}), {"--out"});
+    expect_refused(run({"free-edge", "--short", "--out", (file / "below").string()}), {"--out"});
 }
 
 }  // namespace

@@ -106,13 +106,8 @@ inline Contents contents_of(const fs::path& folder) {
     return contents;
 }
 
-class Study : public testing::Test {
+class Study : public Command {
   protected:
-    TemporaryDirectory said;    ///< what the command prints
-    TemporaryDirectory folder;  ///< what it reads and writes
-
-    [[nodiscard]] std::string path(const std::string& name) const { return (folder.path() / name).string(); }
-
     [[nodiscard]] Ended run(const Request& request) const { return run_command(words_of(request), said); }
 
     /// Runs a whole study; returns its rows.

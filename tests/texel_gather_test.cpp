@@ -5,6 +5,7 @@
 
 #include "shlm/light_map.h"
 #include "tests/scene_builder.h"
+#include "tests/texels.h"
 
 namespace {
 
@@ -22,10 +23,6 @@ using LightMap = shlm::HarmonicMap<Model>;
 
 const Material plain = diffuse(Rgb(0.5f, 0.5f, 0.5f));
 const Gather all_gathers[] = {OwnTexel{}, Bilinear{}, NearestTexels{}, NearestTexels{1}};
-
-PreparedTexels texels_of(const Scene& scene, std::size_t count) {
-    return {scene, shlm::find_lightmap_uv(scene), count};
-}
 
 /// A map whose texel i holds `value(i)` in red, twice and three times as much in green and blue. Texels that
 /// nothing covers stay dark.

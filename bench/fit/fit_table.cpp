@@ -65,11 +65,10 @@ Json runs_as_json(std::span<const fit::VerifiedRun> runs) {
 
 Json choice_as_json(const fit::FitResult& result, const fit::Choice& choice, const fit::FitGoal& goal,
                     std::span<const fit::VerifiedRun> verified) {
-    const double z = goal.z;
     Json entry = {{"reached", choice.reached}, {"sure", fit::is_sure(goal, choice)}};
     if (!choice.reached) entry["reason"] = choice.reason;
     if (choice.reached || choice.proposal.hits > 0)
-        entry[choice.reached ? "choice" : "nearest"] = proposal_as_json(result, choice.proposal, z);
+        entry[choice.reached ? "choice" : "nearest"] = proposal_as_json(result, choice.proposal, goal.z);
     if (!verified.empty()) entry["verified"] = runs_as_json(verified);
     return entry;
 }
@@ -145,7 +144,8 @@ bool is_by_flip(const Json& document) {
     return document["metric"].get<std::string>() == "FLIP";
 }
 
-/// What the metric is expected to be, where that is not the error; and what was measured.
+/// What the metric is expected to be, where that is not the error; whether chance made the choice; and what
+/// was measured.
 std::string measured_text(const Json& document, const Json& entry) {
     std::string text;
     const bool by_flip = is_by_flip(document);

@@ -35,6 +35,12 @@ HEADS = (
 )
 
 
+def root_mean(squares):
+    """Not a number where there are none."""
+    squares = list(squares)
+    return math.sqrt(sum(squares) / len(squares)) if squares else math.nan
+
+
 @dataclass(frozen=True)
 class Verdict:
     """One kind of map in one fit. Ratios are not a number where the search has not reached the target."""
@@ -53,7 +59,7 @@ class Verdict:
 
     @property
     def measured_rms(self):
-        return float(np.sqrt(np.mean(np.square(self.measured)))) if self.measured else math.nan
+        return root_mean(error**2 for error in self.measured)
 
     @property
     def meeting(self):

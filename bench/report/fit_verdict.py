@@ -3,11 +3,10 @@
 Verified runs count as measured; where a target is out of reach the reason stands in place of a method.
 """
 
-import math
 import sys
 from pathlib import Path
 
-from fit_search import KINDS, cost, figure, read_fit
+from fit_search import KINDS, cost, figure, read_fit, root_mean
 from study_data import StudyError
 
 HEAD = (
@@ -21,12 +20,6 @@ def bytes_text(size):
     return f"{size / 2**20:,.1f} MiB" if size >= 2**20 else f"{size / 2**10:,.0f} KiB"
 
 
-def percent(squares):
-    """Root of their mean; not a number where there are none."""
-    squares = list(squares)
-    return 100 * math.sqrt(sum(squares) / len(squares)) if squares else math.nan
-
-
 def row(fit, kind):
     entry = fit[kind]
     start = f"| {fit['scene']} | {figure(100 * fit['target'])} | {fit['least']} | "
@@ -35,8 +28,8 @@ def row(fit, kind):
     choice = entry["choice"]
     runs = entry.get("verified", [])
     errors = [run["error"] for run in runs]
-    measured = percent(error**2 for error in errors)
-    without_worst = percent(run["error"] ** 2 * (1 - run["worst_share"]) for run in runs)
+    measured = 100 * root_mean(error**2 for error in errors)
+    without_worst = 100 * root_mean(run["error"] ** 2 * (1 - run["worst_share"]) for run in runs)
     met = f"{sum(error <= fit['target'] for error in errors)} of {len(errors)}" if errors else "-"
     return start + (
         f"{choice['method']} | {choice['hits']:.2g} | {bytes_text(cost(entry, 'bytes'))} | {cost(entry, 'seconds'):.2g} | "

@@ -23,29 +23,24 @@ void finish_store(shlm::Sink<Model>& sink, const std::vector<Method>& methods, c
                   const common::TraceReport& trace, const UseMap& use) {
     std::optional<shlm::BlockSearch> search;
     double search_seconds = 0;
-    const auto use_map = [&](const Method& method, const FinishedLightMap& map, double build_seconds) {
-        StudyMap result = study_map(method, map, build_seconds);
+    for (const Method& method : methods) {
+        const ShlmMethod& light_map = *method.light_map();
+        const bool adaptive = light_map.basis == LightBasis::adaptive;
+        if constexpr (std::same_as<Model, shlm::AdaptiveModel>)
+            if (adaptive && !search) {
+                const common::Stopwatch searching;
+                search.emplace(search_blocks(sink, trace));
+                search_seconds = searching.seconds();
+            }
+        const common::Stopwatch build;
+        const FinishedLightMap map =
+            adaptive ? FinishedLightMap(adaptive_map(light_map, *search, sink.texels().layout))
+                     : finished_map(light_map, sink, trace);
+        StudyMap result = study_map(method, map, build.seconds() + (adaptive ? search_seconds : 0));
         result.insert_bytes = sink.bytes();
         result.hits_rejected = sink.rejected().total();
         result.clamped_share = sink.accumulator().clamped().discarded_share();
         use(result);
-    };
-    for (const Method& method : methods) {
-        const ShlmMethod& light_map = *method.light_map();
-        const common::Stopwatch build;
-        if constexpr (std::same_as<Model, shlm::AdaptiveModel>)
-            if (light_map.basis == LightBasis::adaptive) {
-                if (!search) {
-                    search.emplace(search_blocks(sink, trace));
-                    search_seconds = build.seconds();
-                }
-                const common::Stopwatch choosing;
-                const FinishedLightMap map(adaptive_map(light_map, *search, sink.texels().layout));
-                use_map(method, map, search_seconds + choosing.seconds());
-                continue;
-            }
-        const FinishedLightMap map = finished_map(light_map, sink, trace);
-        use_map(method, map, build.seconds());
     }
 }
 

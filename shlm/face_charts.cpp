@@ -30,6 +30,12 @@ struct Rectangle {
     [[nodiscard]] V2d place(const V3d& position) const { return {position.dot(right), position.dot(down)}; }
     [[nodiscard]] V2d size() const { return most - least; }
     [[nodiscard]] double area() const { return size().x * size().y; }
+
+    /// The one at `least`, as high above the origin as the position.
+    [[nodiscard]] V3d corner_level_with(const V3d& position) const {
+        const V2d along = least - place(position);
+        return position + right * along.x + down * along.y;
+    }
 };
 
 Rectangle rectangle_along(const Scene& scene, const FlatPatch& patch, const V3d& edge) {
@@ -51,11 +57,11 @@ Rectangle rectangle_along(const Scene& scene, const FlatPatch& patch, const V3d&
 /// The smallest of those along an edge of the largest triangle: a triangle by itself covers half of it, and a
 /// rectangular wall all of it if that triangle has an edge on its border or along it.
 Rectangle rectangle_around(const Scene& scene, const FlatPatch& patch) {
-    const std::uint32_t largest = *std::max_element(
-        patch.triangle.begin(), patch.triangle.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return std::pair(common::triangle_area(scene, a), b) <
-                   std::pair(common::triangle_area(scene, b), a);
-        });
+    const std::uint32_t largest = *std::max_element(patch.triangle.begin(), patch.triangle.end(),
+                                                    [&](std::uint32_t a, std::uint32_t b) {
+                                                        return std::pair(common::triangle_area(scene, a), b) <
+                                                               std::pair(common::triangle_area(scene, b), a);
+                                                    });
     Rectangle smallest;
     for (std::size_t i = 0; i < 3; ++i) {
         const V3d edge = corner_of(scene, largest, (i + 1) % 3) - corner_of(scene, largest, i);
@@ -100,8 +106,7 @@ void divide(const Scene& scene, FlatPatch patch, double texel_size, std::vector<
 }
 
 /// The cube of the texel's size that a patch lies in, if it is smaller than half a texel each way.
-std::optional<std::array<double, 3>> cube_of(const Scene& scene, const FlatPatch& patch,
-                                             double texel_size) {
+std::optional<std::array<double, 3>> cube_of(const Scene& scene, const FlatPatch& patch, double texel_size) {
     const V2d size = rectangle_around(scene, patch).size();
     if (std::max(size.x, size.y) > texel_size / 2) return std::nullopt;
     const V3d center = center_of(scene, patch.triangle.front()) / texel_size;
@@ -139,6 +144,8 @@ TexelChart laid_flat(const Scene& scene, const FlatPatch& patch, const Rectangle
     chart.width = rectangle.size().x;
     chart.height = rectangle.size().y;
     chart.both_faces = both_faces;
+    chart.plane = {rectangle.corner_level_with(corner_of(scene, patch.triangle.front(), 0)), rectangle.right,
+                   rectangle.down};
     chart.triangle = patch.triangle;
     std::sort(chart.triangle.begin(), chart.triangle.end());
     for (const std::uint32_t triangle : chart.triangle) {

@@ -3,11 +3,18 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "common/core/vector.h"
 
 namespace shlm {
+
+/// A rectangle in the world.
+struct ChartPlane {
+    Imath::V3d origin;       ///< its corner
+    Imath::V3d right, down;  ///< unit, along its sides
+};
 
 struct TexelChart {
     /// Of the rectangle, in the world, as if it were covered all over; world units.
@@ -17,6 +24,8 @@ struct TexelChart {
     std::vector<std::uint32_t> triangle;  ///< of the scene
     /// One per triangle: where its corners lie, the rectangle being the unit square.
     std::vector<std::array<common::Vec2, 3>> corner;
+    /// Whose perpendicular projections the corners are; none where they come from lightmap coordinates.
+    std::optional<ChartPlane> plane;
 };
 
 }  // namespace shlm

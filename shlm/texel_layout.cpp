@@ -32,6 +32,12 @@ void place_triangle(const std::array<Vec2, 3>& corner, const TexelRegion& region
     placed.both_faces = region.both_faces;
 }
 
+RegionPlane plane_of(const TexelChart& chart, const TexelRegion& region) {
+    return {common::Vec3(chart.plane->origin),
+            common::Vec3(chart.plane->right * (region.width / chart.width)),
+            common::Vec3(chart.plane->down * (region.height / chart.height))};
+}
+
 }  // namespace
 
 double texels_at_size(std::span<const TexelChart> charts, double texel_size) {
@@ -64,12 +70,16 @@ TexelLayout::TexelLayout(const common::Scene& scene, std::span<const TexelChart>
 
     for (std::size_t t = 0; t < triangles_.size(); ++t) triangles_[t].normal = scene.geometric_normal[t];
     regions_.reserve(charts.size());
+    const bool have_planes =
+        std::all_of(charts.begin(), charts.end(), [](const TexelChart& chart) { return chart.plane; });
+    if (have_planes) planes_.reserve(charts.size());
     for (const TexelChart& chart : charts) {
         TexelRegion& region = regions_.emplace_back();
         region.first_texel = static_cast<std::uint32_t>(texel_count_);
         region.width = texels_along(chart.width, texel_size);
         region.height = texels_along(chart.height, texel_size);
         region.both_faces = chart.both_faces;
+        if (have_planes) planes_.push_back(plane_of(chart, region));
         texel_count_ += std::size_t{region.texels_per_face()} * static_cast<std::size_t>(faces_of(chart));
         for (std::size_t i = 0; i < chart.triangle.size(); ++i)
             place_triangle(chart.corner[i], region, triangles_[chart.triangle[i]]);

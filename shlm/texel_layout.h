@@ -28,6 +28,17 @@ struct TexelRegion {
     }
 };
 
+/// From a position in the world to one on a region's rectangle.
+struct RegionPlane {
+    common::Vec3 origin;
+    common::Vec3 right, down;  ///< texels per world unit
+
+    [[nodiscard]] common::Vec2 place(const common::Vec3& position) const {
+        const common::Vec3 from_origin = position - origin;
+        return {from_origin.dot(right), from_origin.dot(down)};
+    }
+};
+
 /// Everything that finding a hit's texel needs to know of its triangle, on one cache line.
 struct alignas(64) TriangleTexels {
     common::Vec2 corner, edge_u,
@@ -54,6 +65,9 @@ class TexelLayout {
 
     [[nodiscard]] std::span<const TexelRegion> regions() const { return regions_; }
 
+    /// In the regions' order; none at all where a chart has no plane.
+    [[nodiscard]] std::span<const RegionPlane> planes() const { return planes_; }
+
     /// Texels of all regions, those included that no triangle covers.
     [[nodiscard]] std::size_t texel_count() const { return texel_count_; }
 
@@ -71,11 +85,13 @@ class TexelLayout {
     }
 
     [[nodiscard]] std::size_t bytes() const {
-        return triangles_.capacity() * sizeof(TriangleTexels) + regions_.capacity() * sizeof(TexelRegion);
+        return triangles_.capacity() * sizeof(TriangleTexels) + regions_.capacity() * sizeof(TexelRegion) +
+               planes_.capacity() * sizeof(planes_[0]);
     }
 
   private:
     std::vector<TexelRegion> regions_;  ///< one per chart
+    std::vector<RegionPlane> planes_;
     common::HugePageVector<TriangleTexels> triangles_;  ///< one per triangle of the scene
     std::size_t texel_count_ = 0;
 };

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "shlm/prepared_texels.h"
+#include "shlm/texel_places.h"
 #include "tests/scene_builder.h"
 
 namespace {
@@ -125,6 +126,39 @@ TEST(FaceCharts, AFlatWallOfManyTrianglesIsOneRectangle) {
     EXPECT_EQ(std::max(region.width, region.height), 40u);
     EXPECT_EQ(std::min(region.width, region.height), 20u);
     for (const shlm::TexelGeometry& texel : texels.geometry) EXPECT_NEAR(texel.area, 0.05 * 0.05, 1e-6);
+}
+
+TEST(FaceCharts, SayByPositionWhereHitsAreTaken) {
+    const Vec3 far_away(1000, -2000, 500);
+    Mesh moved = cylinder(40);
+    for (Vec3& position : moved.position) position += far_away;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> unit;
+    for (const auto& [mesh, rounding] : {std::pair(flat_grid(30), 1e-4f),
+                                         {cylinder(40), 1e-4f},
+                                         {confetti(2000, 0.05f), 1e-4f},
+                                         {frame(), 1e-4f},
+                                         {moved, 0.1f}}) {
+        const Scene scene = scene_of(mesh);
+        const PreparedTexels texels = by_face(scene, 5000);
+        const shlm::TexelPlaces places(texels.layout);
+        EXPECT_EQ(places.bytes(),
+                  scene.triangle.size() * 4 +
+                      texels.layout.regions().size() * (sizeof(shlm::TexelRegion) + 9 * sizeof(float)));
+        for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) {
+            const float s = unit(random), u = s * unit(random), v = s - u;
+            common::SurfacePoint point{{t, u, v}, {}, scene.geometric_normal[t], scene.geometric_normal[t]};
+            point.position = common::position_at(scene, point.surface);
+            const shlm::TriangleTexels& texel = texels.layout.triangle(t);
+            const Vec2 expected = texel.corner + texel.edge_u * u + texel.edge_v * v;
+            const auto place = places.find(point);
+            ASSERT_TRUE(place);
+            EXPECT_LT((place->at - expected).length(), rounding);
+            EXPECT_EQ(places.region(*place).first_texel, texel.first_texel);
+            point.front = false;
+            EXPECT_FALSE(places.find(point)) << "no texels on the back";
+        }
+    }
 }
 
 TEST(FaceCharts, RepeatedVerticesMakeNoDifference) {

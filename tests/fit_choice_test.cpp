@@ -1,6 +1,8 @@
 // What is chosen when errors and costs are known, and what is said where nothing can be.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "bench/fit/choice.h"
 
 namespace {
@@ -213,6 +215,17 @@ TEST(FitCandidates, GoFromCoarseToFineInEachChain) {
         if (all[i].chain() == all[i - 1].chain()) {
             EXPECT_LT(all[i].width(), all[i - 1].width()) << all[i].name(1'000'000);
         }
+}
+
+TEST(FitCandidates, WhoseBlocksChangeWithHitsAreAloneInTheirChains) {
+    std::set<std::string> chains;
+    for (const Candidate& candidate : all_candidates())
+        if (candidate.changes_with_hits()) {
+            EXPECT_TRUE(chains.insert(candidate.chain()).second)
+                << "a law would be carried on: " << candidate.chain();
+        }
+    EXPECT_TRUE(chains.contains("shlm/L4/radiance/bilinear/face/t4096/half"))
+        << "texels that share their light";
 }
 
 TEST(FitCosts, AreCarriedOnToLightMapsThatWereNotMeasured) {

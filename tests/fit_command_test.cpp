@@ -35,9 +35,10 @@ class Fit : public Command {
     }
 };
 
-/// Whose hits are those of a pilot.
-bool is_adaptive(const Json& choice) {
-    return choice["method"].get<std::string>().starts_with("shlm/a");
+/// Whose blocks change with the hits: these are as many as those of a pilot.
+bool changes_with_hits(const Json& choice) {
+    const std::string method = choice["method"];
+    return method.starts_with("shlm/") && method.find("/h0") == std::string::npos;
 }
 
 double sum_of_squares(const Json& row) {
@@ -62,7 +63,7 @@ TEST_F(Fit, ChoosesBothKindsAndSplitsTheirErrors) {
         EXPECT_NEAR(std::pow(choice["error"].get<double>(), 2), sum_of_squares(choice), 1e-9);
         EXPECT_LE(choice["error"], choice["bound"]);
         EXPECT_LE(choice["bound"].get<double>(), target + 1e-6);
-        if (!is_adaptive(choice)) {
+        if (!changes_with_hits(choice)) {
             EXPECT_GT(choice["bound"].get<double>(), target - 0.01) << "no more hits than it takes";
         }
         EXPECT_GT(choice["seconds"], 0);
@@ -82,7 +83,7 @@ TEST_F(Fit, MeetsTheTargetThatItWasGiven) {
             EXPECT_GE(runs[i]["hits"], found[kind]["choice"]["hits"]);
             // The points are others, and coarser ones, than the fit's.
             EXPECT_LT(runs[i]["error"], 1.2 * target) << kind;
-            if (!is_adaptive(found[kind]["choice"])) {
+            if (!changes_with_hits(found[kind]["choice"])) {
                 EXPECT_GT(runs[i]["error"], target / 2) << kind << ": far more than was asked for";
             }
         }
@@ -106,7 +107,7 @@ TEST_F(Fit, ExplainsWhereErrorArisesAndWhatIsKept) {
     EXPECT_EQ(files_in(path("out")),
               (std::set<std::string>{"fit.json", "fit.md", "explanation.json", "explanation.png"}));
     const Json found = Json::parse(text_of(path("out/fit.json")));
-    EXPECT_TRUE(is_adaptive(found["light_map"]["choice"])) << "the fewest bytes";
+    EXPECT_TRUE(changes_with_hits(found["light_map"]["choice"])) << "the fewest bytes";
     const Json& surfaces = found["explanation"];
     EXPECT_EQ(surfaces.size(), 6u) << "the white walls, two in colour, two blocks and the lamp";
     double points = 0, error_share = 0, error_sq = 0;
@@ -174,6 +175,14 @@ TEST_F(Fit, SaysWhatIsOutOfReachAndEndsWell) {
     const Ended ended = run(fit({}, "0.1%"));
     EXPECT_EQ(ended.exit_code, 0);
     EXPECT_NE(ended.out.find("out of reach"), std::string::npos) << ended.out;
+}
+
+TEST_F(Fit, GrowsNoPilotForWhatCannotBeReached) {
+    const Ended ended =
+        run({"fit", cornell, "--target", "0.1%", "--pilot", "4e5", "--max-hits", "1e4", "--json"});
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    const Json pilot = Json::parse(ended.out)["pilot"];
+    EXPECT_LT(pilot["hits_of_each_half"], pilot["largest_allowed"]);
 }
 
 TEST_F(Fit, KeepsWithinBudgets) {

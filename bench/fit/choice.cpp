@@ -77,13 +77,12 @@ std::string bias_forbids(const Proposal& least, const std::string& name, const F
         percent(model.upper_bias_sq(goal.z)));
 }
 
-/// The candidate with the least bias, at the most hits that are allowed. Not an adaptive map: its bias falls
-/// as hits rise.
+/// The candidate with the least bias, at the most hits that are allowed. None whose bias falls as hits rise.
 Choice out_of_reach(const Knowledge& known, const FitGoal& goal, bool light_maps) {
     Choice choice;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < known.candidates.size(); ++i) {
-        if (!is_known(known, i, light_maps) || known.candidates[i].is_adaptive()) continue;
+        if (!is_known(known, i, light_maps) || known.candidates[i].changes_with_hits()) continue;
         if (known.needed[i].without_noise >= least) continue;
         least = known.needed[i].without_noise;
         choice.proposal = proposal_at(known, i, std::min(goal.max_hits, most_hits(known.candidates[i])));

@@ -17,7 +17,7 @@ namespace bench {
 
 struct FitOptions {
     std::string file, target, least = "time", metric = "relmse", budget_bytes, budget_time, max_hits = "1e9",
-                              pilot = "3.2e7";
+                              pilot = "1.28e8";
     std::string max_memory, verify, out;
     std::size_t seeds = 3;
     bool json = false, list = false, explain = false;

@@ -85,6 +85,8 @@ const char* kind_name(fit::CandidateKind kind) {
     switch (kind) {
         case fit::CandidateKind::light_map:
             return "texels";
+        case fit::CandidateKind::sharing_map:
+            return "texels that share light";
         case fit::CandidateKind::adaptive_map:
             return "wanted percent";
         case fit::CandidateKind::photon_radius:

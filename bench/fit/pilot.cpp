@@ -103,6 +103,8 @@ bool is_measurable(const Candidate& candidate, std::uint64_t hits) {
     switch (candidate.kind) {
         case CandidateKind::light_map:
             return candidate.value * least_hits_per_texel <= n;
+        case CandidateKind::sharing_map:
+            return candidate.value <= n;
         case CandidateKind::adaptive_map:
             return candidate.texels <= most_texels_per_hit * n;
         case CandidateKind::photon_share:

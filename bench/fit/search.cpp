@@ -9,7 +9,7 @@
 namespace bench::fit {
 namespace {
 
-constexpr std::uint64_t growth = 4, first_share = 256;
+constexpr std::uint64_t growth = 4, first_share = 1024;
 constexpr double enough = 1.1;    // a candidate's hits are known to a tenth
 constexpr double worth_it = 1.2;  // the choice might cost so much less if there were no doubt
 
@@ -34,10 +34,10 @@ double price_of(const FitGoal& goal, const FitCost& cost) {
     return goal.least_bytes ? cost.bytes : cost.seconds;
 }
 
-/// What the candidate would cost at the very best.
+/// What the candidate would cost at the very best; infinite where that is out of reach.
 double least_price(const State& state, std::size_t i) {
     const std::optional<double> hits = state.result.needed[i].least;
-    if (!hits) return std::numeric_limits<double>::infinity();
+    if (!hits || *hits > state.goal.max_hits) return std::numeric_limits<double>::infinity();
     return price_of(state.goal, cost_at(state.candidates[i], *state.result.costs[i], *hits));
 }
 
@@ -51,7 +51,7 @@ bool is_settled(const State& state, std::size_t i) {
 bool is_measure(const State& state, std::size_t i) {
     const Candidate& candidate = state.candidates[i];
     const Candidate& finest = state.candidates[state.result.estimates.finest.candidate];
-    return candidate.is_light_map() && candidate.basis == finest_basis() &&
+    return candidate.kind == CandidateKind::light_map && candidate.basis == finest_basis() &&
            candidate.value >= finest.value / 4;
 }
 
@@ -104,11 +104,14 @@ bool is_well_measured(const State& state) {
     return blur_sq <= most_doubt * state.goal.target * state.goal.target;
 }
 
-/// Whether the next pilot would be larger than the runs it is about.
+/// Whether the next pilot would be larger than the runs it is about: those with the most hits that are
+/// allowed, where the target is out of reach so far.
 bool is_dearer_than_runs(const State& state, std::uint64_t next_hits) {
-    const Choice &light_map = state.result.light_map, &photon_map = state.result.photon_map;
-    return light_map.reached && photon_map.reached &&
-           2 * static_cast<double>(next_hits) > light_map.proposal.hits + photon_map.proposal.hits;
+    const auto hits_of = [&](const Choice& choice) {
+        return choice.reached ? choice.proposal.hits : state.goal.max_hits;
+    };
+    return 2 * static_cast<double>(next_hits) >
+           hits_of(state.result.light_map) + hits_of(state.result.photon_map);
 }
 
 /// Chooses anew from all samples. False where the pilot was too small for that.
@@ -126,12 +129,12 @@ bool choose_both(State& state) {
     return true;
 }
 
-/// An adaptive map that was chosen for its time has as many hits as a pilot had, and the next smaller pilot
-/// had too few: looks between the two.
+/// A map that changes with its hits, chosen for its time, has as many as a pilot had, and the next smaller
+/// pilot had too few: looks between the two.
 void look_between(State& state) {
     constexpr int steps = 3;  // to a factor of growth^(1/8)
     const std::size_t i = state.result.light_map.proposal.candidate;
-    if (state.goal.least_bytes || !state.result.light_map.reached || !state.candidates[i].is_adaptive())
+    if (state.goal.least_bytes || !state.result.light_map.reached || !state.candidates[i].changes_with_hits())
         return;
     double enough_hits = state.result.light_map.proposal.hits, few_hits = enough_hits / growth;
     for (int step = 0; step < steps; ++step) {

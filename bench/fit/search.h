@@ -25,7 +25,7 @@ struct FitResult {
     double pilot_seconds = 0;                       ///< wall time of all pilots
 };
 
-/// Begins with 1/64 of the largest pilot, fewest_pilot_hits at least, and takes four times as much until the
+/// Begins with 1/1024 of the largest pilot, fewest_pilot_hits at least, and takes four times as much until the
 /// choices owe little to chance and either knowing more could hardly save anything or the next pilot would
 /// have more hits than the two chosen runs; at most to the largest. Candidates that cannot be chosen any
 /// more, or of which enough is known, are not traced again. Throws Interrupted, and InputError where the

@@ -20,13 +20,24 @@ constexpr double z_of_finest = 2;
 /// ... have together is this share of band 4. Odd bands beyond 1 have none.
 constexpr double bands_beyond_last = 0.32;
 
-std::optional<std::size_t> find_light_map(Candidates candidates, Samples samples, const std::string& basis,
-                                          const std::string& gather, double texels) {
-    for (std::size_t i = 0; i < candidates.size(); ++i)
-        if (candidates[i].is_light_map() && candidates[i].basis == basis && candidates[i].gather == gather &&
-            candidates[i].value == texels && samples[i].present())
+std::optional<std::size_t> find_measured(Candidates candidates, Samples samples, const Candidate& wanted) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate& candidate = candidates[i];
+        if (candidate.kind == wanted.kind && candidate.basis == wanted.basis &&
+            candidate.gather == wanted.gather && candidate.value == wanted.value && samples[i].present())
             return i;
+    }
     return std::nullopt;
+}
+
+Candidate with_basis(Candidate candidate, const std::string& basis) {
+    candidate.basis = basis;
+    return candidate;
+}
+
+Candidate with_texels_over(Candidate candidate, double divisor) {
+    candidate.value /= divisor;
+    return candidate;
 }
 
 /// 2 fine - coarse, by halves.
@@ -43,7 +54,7 @@ Halves extrapolated(const Halves& fine, const Halves& coarse) {
 /// would favour the map that chance has flattered. Its own where there is no other.
 double expected_blur_sq(const Candidate& fine, std::size_t quarter, const SquareEstimate& own,
                         Candidates candidates, Samples samples, const Measure& measure) {
-    const auto sixteenth = find_light_map(candidates, samples, fine.basis, fine.gather, fine.value / 16);
+    const auto sixteenth = find_measured(candidates, samples, with_texels_over(fine, 16));
     if (!sixteenth) return std::max(0.0, own.value);
     return 0.5 *
            std::max(0.0,
@@ -66,8 +77,9 @@ std::optional<Finest> find_finest(Candidates candidates, Samples samples, const 
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Candidate& fine = candidates[i];
-        if (!fine.is_light_map() || fine.basis != finest_basis() || !samples[i].present()) continue;
-        const auto quarter = find_light_map(candidates, samples, fine.basis, fine.gather, fine.value / 4);
+        if (fine.kind != CandidateKind::light_map || fine.basis != finest_basis() || !samples[i].present())
+            continue;
+        const auto quarter = find_measured(candidates, samples, with_texels_over(fine, 4));
         if (!quarter) continue;
         const SquareEstimate blur_sq =
             squared_difference(samples[*quarter].halves, samples[i].halves, measure);
@@ -80,13 +92,12 @@ std::optional<Finest> find_finest(Candidates candidates, Samples samples, const 
     if (!finest) return finest;
     finest->truth = extrapolated(samples[finest->candidate].halves, samples[finest->quarter].halves);
     const Candidate& fine = candidates[finest->candidate];
-    if (const auto sixteenth =
-            find_light_map(candidates, samples, fine.basis, fine.gather, fine.value / 16)) {
+    if (const auto sixteenth = find_measured(candidates, samples, with_texels_over(fine, 16))) {
         const SquareEstimate coarse =
             squared_difference(samples[*sixteenth].halves, samples[finest->quarter].halves, measure);
         finest->unseen_sq = finest->blur_sq.scaled(unseen_share(coarse.value, finest->blur_sq.value));
     }
-    if (const auto below = find_light_map(candidates, samples, basis_below_finest(), fine.gather, fine.value))
+    if (const auto below = find_measured(candidates, samples, with_basis(fine, basis_below_finest())))
         finest->truncation_sq =
             squared_difference(samples[*below].halves, samples[finest->candidate].halves, measure)
                 .scaled(bands_beyond_last);
@@ -96,8 +107,7 @@ std::optional<Finest> find_finest(Candidates candidates, Samples samples, const 
 double truncation_sq(std::size_t i, Candidates candidates, Samples samples, const Finest& finest,
                      const Measure& measure) {
     if (!candidates[i].is_light_map()) return 0;
-    const auto whole =
-        find_light_map(candidates, samples, finest_basis(), candidates[i].gather, candidates[i].value);
+    const auto whole = find_measured(candidates, samples, with_basis(candidates[i], finest_basis()));
     if (!whole) return 0;
     return std::max(0.0, squared_difference(samples[i].halves, samples[*whole].halves, measure).value) +
            std::max(0.0, finest.truncation_sq.value);
@@ -116,7 +126,7 @@ ErrorModel model_of(std::size_t i, Candidates candidates, Samples samples, const
             .truncation_sq = truncation,
             .bias_variance = bias_sq.variance(),
             .spread_variance = variance_about(samples[i].halves, best, measure),
-            .at_pilot_alone = candidates[i].is_adaptive()};
+            .at_pilot_alone = candidates[i].changes_with_hits()};
 }
 
 std::optional<SelfEstimates> estimate_by(Candidates candidates, Samples samples, const Measure& measure,

@@ -29,7 +29,6 @@ COLOURS = {
     "L4": "#6d0f24",
     PHOTON_MAP: "#2f6fb0",
 }
-PLACE_BYTES = 16  # of a triangle, in a finished light map without an index: where it lies among the texels (shlm/texel_places.h)
 MARKERS = {ADAPTIVE: "*", PHOTON_MAP: "s"}
 
 
@@ -103,12 +102,12 @@ def ratio(numerator, denominator):
 
 
 def short_name(method):
-    """a5 by coordinates, a5/face by faces."""
-    parts = method.split("/")
-    return parts[1] + ("/face" if "face" in parts else "")
+    """a5 by coordinates, a5/face by faces; with its number of texels where that is not the usual one."""
+    _, percent, *rest = method.split("/")
+    return "/".join([percent] + [part for part in rest if part == "face" or part[0] == "t"])
 
 
-def table(scene, hits, found, places):
+def table(scene, hits, found):
     """A row for each adaptive map that no smaller one beats."""
     kept = front(uniform_of(found).values())
     adaptive_front = front([p for m, p in found.items() if kind_of(m) == ADAPTIVE])
@@ -120,14 +119,14 @@ def table(scene, hits, found, places):
         uniform, photons = bytes_for(kept, error), bytes_for(photon_front, error)
         lines.append(
             f"| {scene} | {hits:.0e} | {short_name(method)} | {error:.2f} | {kib(size)} | {kib(uniform)} | {ratio(uniform, size)} | "
-            f"{kib(size - places)} | {kib(uniform - places)} | {ratio(uniform - places, size - places)} | {kib(photons)} |\n"
+            f"{kib(photons)} |\n"
         )
     return "".join(lines)
 
 
 HEAD = (
-    "| scene | hits | adaptive map | error % | KiB | uniform map, KiB | ratio | light alone, KiB | uniform map's, KiB | ratio | "
-    "photon map, KiB |\n|---|---|---|---|---|---|---|---|---|---|---|\n"
+    "| scene | hits | adaptive map | error % | KiB | uniform map, KiB | ratio | photon map, KiB |\n"
+    "|---|---|---|---|---|---|---|---|\n"
 )
 
 
@@ -158,18 +157,15 @@ def main():
     for axes, (scene, curves) in zip(panels, scenes.items()):
         hits = largest_size(curves)
         found = at_size(curves, hits)
-        places = PLACE_BYTES * study.entry(scene)["triangles"]
         draw(axes, found, f"{scene}, {hits:.0e} hits")
-        axes.axvline(places, color="#888888", linewidth=0.8, linestyle=":", label="places of the triangles alone")
-        text += table(scene, hits, found, places)
+        text += table(scene, hits, found)
     for axes in panels[len(scenes) :]:
         axes.set_visible(False)
-    sheet.legend(len(COLOURS) + 1)
+    sheet.legend(len(COLOURS))
     sheet.save(out / "model-bytes.png")
     (out / "model-bytes.md").write_text(
         text + "\nAdaptive maps that no smaller one beats, by lightmap coordinates and by faces. The uniform map and the photon map are the smallest of the study with at most the same error, "
-        "between neighbours on a straight line in log-log; -: none has it. Light alone: without the 16 bytes a triangle that say where "
-        "it lies among the texels, which both kinds of light map have.\n"
+        "between neighbours on a straight line in log-log; -: none has it.\n"
     )
     print(text, end="")
     for problem in study.problems:

@@ -22,7 +22,7 @@ const std::vector<std::string> kernels = {"disc", "epanechnikov"};
 constexpr double fewest_texels = 1024, most_texels = 4194304, most_sharing_texels = 262144;
 const std::vector<double> adaptive_percents = {0.7, 0.84, 1, 1.2, 1.4, 1.7, 2,  2.4, 2.8, 3.4, 4, 4.7,
                                                5.6, 6.7,  8, 9.5, 11,  13,  16, 19,  22,  27,  32};
-const std::vector<double> adaptive_texels = {65536, 262144, 1048576};
+const std::vector<double> adaptive_texels = {16384, 65536, 262144, 1048576};
 constexpr double largest_radius = 0.1, smallest_radius = 0.001;  // scene diagonals
 constexpr int radii = 27;
 constexpr double largest_share = 16384e-6, smallest_share = 0.125e-6;

@@ -7,6 +7,7 @@
 #include "common/core/input_error.h"
 #include "common/view/visible_surfaces.h"
 #include "shlm/adaptive_map.h"
+#include "shlm/texel_blocks.h"
 
 namespace bench::fit {
 namespace {
@@ -49,23 +50,54 @@ std::vector<SurfaceError> surface_errors(const FitResult& result, const PilotSub
     return surfaces;
 }
 
+/// What the pilot's seed brings to the texels of a method.
+template <class Model>
+struct TracedSums {
+    shlm::Sink<Model> sink;
+    common::TraceReport trace;
+};
+
+template <class Model>
+TracedSums<Model> traced_sums(const Method& method, std::uint64_t hits, const PilotSubject& subject) {
+    TracedSums<Model> sums{{subject.prepared.texels_of(*method.light_map()), shlm::OwnTexel{},
+                            shlm::Quantum(subject.source.power())},
+                           {}};
+    sums.trace =
+        traced_run(method.name, subject.loaded, subject.source, subject.seed, {.hits = hits}, sums.sink);
+    return sums;
+}
+
 shlm::AdaptiveMap traced_map(const Method& method, std::uint64_t hits, const PilotSubject& subject) {
-    shlm::Sink<shlm::AdaptiveModel> sink(subject.prepared.texels_of(*method.light_map()), shlm::OwnTexel{},
-                                         shlm::Quantum(subject.source.power()));
-    const auto trace =
-        traced_run(method.name, subject.loaded, subject.source, subject.seed, {.hits = hits}, sink);
+    const auto [sink, trace] = traced_sums<shlm::AdaptiveModel>(method, hits, subject);
     return adaptive_map(*method.light_map(), search_blocks(sink, trace), sink.texels().layout);
 }
 
-std::optional<SeenBlock> seen_block(const common::VisibleSurface& seen, const shlm::PreparedTexels& texels,
-                                    const common::Scene& scene, const std::string& basis,
-                                    const shlm::AdaptiveMap* adaptive) {
+/// Of the blocks that texels show, by texel; world units.
+std::vector<float> widths_of_blocks(const Candidate& candidate, const Method& method, std::uint64_t hits,
+                                    const PilotSubject& subject) {
+    const shlm::PreparedTexels& texels = subject.prepared.texels_of(*method.light_map());
+    std::vector<float> width;
+    for (const shlm::TexelGeometry& texel : texels.geometry) width.push_back(std::sqrt(texel.area));
+    if (candidate.kind != CandidateKind::sharing_map) return width;
+    using HitCounts = shlm::TexelModel<0, shlm::ShWeight::normalised>;
+    const auto counted = traced_sums<HitCounts>(method, hits, subject);
+    const auto show = [&](std::uint32_t texel, const auto&, double area) {
+        width[texel] = static_cast<float>(std::sqrt(area));
+    };
+    shlm::TexelBlocks(counted.sink.accumulator().sums(), texels, method.light_map()->least_hits, show)
+        .show_all();
+    return width;
+}
+
+std::optional<SeenBlock> seen_block(const common::VisibleSurface& seen, const shlm::TexelLayout& layout,
+                                    std::span<const float> width, const common::Scene& scene,
+                                    const std::string& basis, const shlm::AdaptiveMap* adaptive) {
     if (!seen.present) return std::nullopt;
     const common::SurfaceId& surface = seen.point.surface;
-    const shlm::TriangleTexels& triangle = texels.layout.triangle(surface.triangle);
+    const shlm::TriangleTexels& triangle = layout.triangle(surface.triangle);
     if (triangle.width == 0 || (!seen.point.front && !triangle.both_faces)) return std::nullopt;
     const std::uint32_t texel = shlm::texel_at(triangle, surface.u, surface.v, seen.point.front);
-    SeenBlock block{scene.instance_of[surface.triangle], basis, std::sqrt(texels.geometry[texel].area)};
+    SeenBlock block{scene.instance_of[surface.triangle], basis, width[texel]};
     if (!adaptive) return block;
     const auto at = adaptive->block_at(seen.point);
     if (!at) return std::nullopt;
@@ -82,7 +114,8 @@ Explanation explain(const FitResult& result, const PilotSubject& subject) {
     const Candidate& candidate = result.candidates[choice.candidate];
     const auto hits = static_cast<std::uint64_t>(choice.hits);
     const Method method = parse_method("fit", candidate.name(hits));
-    const shlm::PreparedTexels& texels = subject.prepared.texels_of(*method.light_map());
+    const shlm::TexelLayout& layout = subject.prepared.texels_of(*method.light_map()).layout;
+    const std::vector<float> width = widths_of_blocks(candidate, method, hits, subject);
     std::optional<shlm::AdaptiveMap> adaptive;
     if (candidate.is_adaptive()) adaptive = traced_map(method, hits, subject);
 
@@ -91,7 +124,7 @@ Explanation explain(const FitResult& result, const PilotSubject& subject) {
     for (const common::VisibleSurface& seen :
          common::visible_surfaces(subject.loaded.rays, subject.loaded.camera, picture_width, picture_height))
         explanation.pixel.push_back(
-            seen_block(seen, texels, subject.loaded.scene, basis, adaptive ? &*adaptive : nullptr));
+            seen_block(seen, layout, width, subject.loaded.scene, basis, adaptive ? &*adaptive : nullptr));
     return explanation;
 }
 

@@ -13,7 +13,7 @@ struct SurfaceError {
     double bias_sq = 0;          ///< blur and truncation by the finest map; may come out below zero
 };
 
-/// A block of the map, or a texel of a uniform one, as one pixel sees it.
+/// A block of the map, or a texel that shows its own hits, as one pixel sees it.
 struct SeenBlock {
     std::uint32_t instance = 0;  ///< of the scene
     std::string kind;            ///< what it keeps: a basis, "flat" or "dark"

@@ -70,7 +70,7 @@ bool is_worth_tracing(const State& state, std::size_t i) {
 /// Whether a map that wants so much error of itself may be the cheapest that reaches the target.
 bool is_near_target(const Candidate& candidate, const FitGoal& goal) {
     if (!candidate.is_adaptive() || goal.metric == Metric::flip) return true;
-    constexpr double least = 0.4, most = 1.5;
+    constexpr double least = 0.2, most = 1.5;  // few hits bring more error than was wanted
     const double wanted = candidate.value / 100 / goal.target;
     return wanted >= least && wanted <= most;
 }
@@ -129,27 +129,34 @@ bool choose_both(State& state) {
     return true;
 }
 
-/// A map that changes with its hits, chosen for its time, has as many as a pilot had, and the next smaller
-/// pilot had too few: looks between the two.
-void look_between(State& state) {
-    constexpr int steps = 3;  // to a factor of growth^(1/8)
-    const std::size_t i = state.result.light_map.proposal.candidate;
-    if (state.goal.least_bytes || !state.result.light_map.reached || !state.candidates[i].changes_with_hits())
-        return;
-    double enough_hits = state.result.light_map.proposal.hits, few_hits = enough_hits / growth;
-    for (int step = 0; step < steps; ++step) {
-        const auto hits = static_cast<std::uint64_t>(std::sqrt(few_hits * enough_hits));
-        const PilotSample known = state.samples[i];
-        run_pilot(state.subject, state.candidates, std::array{i}, hits, state.samples);
+/// Those whose blocks change with their hits, and that reach the target with the hits of their sample.
+std::vector<std::size_t> to_trace_with_fewer(const State& state, std::uint64_t hits) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < state.candidates.size(); ++i)
+        if (state.candidates[i].changes_with_hits() && state.result.needed[i].sure &&
+            is_measurable(state.candidates[i], hits))
+            chosen.push_back(i);
+    return chosen;
+}
+
+/// Where blocks change with the hits, nothing says how many suffice but a run with so many, and those of the
+/// pilots are far apart. Tries fewer than the light map that was chosen has, and fewer again, as long as one
+/// of them is cheaper. All are measured by the finest maps of the largest pilot.
+void look_for_fewer_hits(State& state) {
+    constexpr double share = 0.8;
+    const Choice& choice = state.result.light_map;
+    for (double hits = share * choice.proposal.hits; choice.reached; hits *= share) {
+        const double price = price_of(state.goal, choice.proposal.cost);
+        const auto fewer = static_cast<std::uint64_t>(hits);
+        const std::vector<std::size_t> tried = to_trace_with_fewer(state, fewer);
+        const std::vector<PilotSample> known = state.samples;
+        run_pilot(state.subject, state.candidates, tried, fewer, state.samples);
         (void)choose_both(state);
-        const Proposal& proposal = state.result.light_map.proposal;
-        if (state.result.light_map.reached && proposal.candidate == i) {
-            enough_hits = proposal.hits;
-            continue;
-        }
-        few_hits = static_cast<double>(hits);
-        state.samples[i] = known;
+        const bool cheaper = choice.reached && price_of(state.goal, choice.proposal.cost) < price;
+        for (const std::size_t i : tried)
+            if (!cheaper || !state.result.needed[i].sure) state.samples[i] = known[i];
         (void)choose_both(state);
+        if (!cheaper) return;
     }
 }
 
@@ -175,7 +182,7 @@ FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchL
     if (!known)
         throw common::InputError(
             "--pilot: too few hits to tell the blur of any light map; take more, or free memory");
-    look_between(state);
+    if (!goal.least_bytes) look_for_fewer_hits(state);
     state.result.light_maps = proposals(knowledge_of(state), goal, true);
     state.result.photon_maps = proposals(knowledge_of(state), goal, false);
     state.result.pilot_seconds = watch.seconds();

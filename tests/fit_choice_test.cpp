@@ -198,6 +198,20 @@ TEST(NeededHits, AreMoreTheSurerOneMustBe) {
     EXPECT_FALSE(needed[1].least) << "nothing is known";
 }
 
+TEST(NeededHits, OfWhatIsTriedAgainAndAgainMustPassMoreSurely) {
+    SelfEstimates estimates;
+    const ErrorModel model{.pilot_hits = 1e6, .noise_sq = 0.001, .blur_sq = 0.001, .bias_variance = 4e-8};
+    ErrorModel tried = model;
+    tried.at_pilot_alone = true;
+    estimates.model = {model, tried};
+    estimates.measured = {true, true};
+    // 0.002 and two standard errors of 0.0002 are below 0.05 squared, three are not.
+    EXPECT_TRUE(needed_by_error(estimates, {.target = 0.05, .z = 3, .z_of_tries = 2})[1].sure);
+    const auto needed = needed_by_error(estimates, {.target = 0.05, .z = 2, .z_of_tries = 3});
+    EXPECT_TRUE(needed[0].sure);
+    EXPECT_FALSE(needed[1].sure);
+}
+
 // The list of candidates.
 
 TEST(FitCandidates, HaveNamesThatAreReadAndStayTheSame) {

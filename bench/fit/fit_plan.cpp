@@ -14,11 +14,13 @@ namespace bench {
 namespace {
 
 constexpr double confidence = 0.9;  // of ten runs nine meet the target
+constexpr double tries = 10;        // of a map whose blocks change with its hits: pilots, and fewer hits
 constexpr std::size_t most_seeds = 1000;
 
 fit::FitGoal goal_of(const FitOptions& options) {
     fit::FitGoal goal{.target = parse_percentage("--target", options.target),
                       .z = z_for(2 * (1 - confidence)),
+                      .z_of_tries = z_for(2 * (1 - confidence) / tries),
                       .max_hits = static_cast<double>(parse_count("--max-hits", options.max_hits))};
     if (options.metric != "relmse" && options.metric != "flip")
         throw common::InputError(fmt::format("--metric: '{}' is neither relmse nor flip", options.metric));

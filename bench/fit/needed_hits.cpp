@@ -23,7 +23,8 @@ std::vector<NeededHits> needed_by_error(const SelfEstimates& estimates, const Fi
     for (std::size_t i = 0; i < needed.size(); ++i) {
         if (!estimates.model[i]) continue;
         const ErrorModel& model = *estimates.model[i];
-        needed[i] = {.sure = hits_for(model, goal.target, goal.z),
+        const double z = model.at_pilot_alone ? goal.z_of_tries : goal.z;
+        needed[i] = {.sure = hits_for(model, goal.target, z),
                      .likely = hits_for(model, goal.target, 0),
                      .least = least_hits(model, estimates.measured[i], goal),
                      .without_noise = std::sqrt(std::max(0.0, model.upper_bias_sq(goal.z)))};

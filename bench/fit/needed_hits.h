@@ -18,6 +18,9 @@ enum class Metric {
 struct FitGoal {
     double target = 0;  ///< of the metric
     double z = 0;       ///< a run meets the target with the probability of a normal variable to be below z
+    /// The same for what is tried with one number of hits after another and taken as soon as it passes: each
+    /// try is another chance to be flattered.
+    double z_of_tries = 0;
     Metric metric = Metric::relative_rms;
     bool least_bytes = false;  ///< bytes are to be few, else seconds
     double budget_bytes = std::numeric_limits<double>::infinity();

@@ -14,10 +14,10 @@ const std::vector<std::string> bases = {"L0/normalised", "AD/radiance", "YL2/rad
                                         "L1/radiance",   "H4/radiance", "L2/radiance",
                                         "L2/normalised", "L4/radiance", "L4/normalised"};
 const std::vector<std::string> gathers = {"own", "bilinear", "bilinear/face", "knn4", "knn8"};
-const std::vector<std::string> adaptive_gathers = {"bilinear", "bilinear/face"};
 const std::vector<std::string> sharing_bases = {"L0/normalised", "AD/radiance", "YL2/radiance", "L2/radiance",
                                                 "L4/radiance"};
-const std::vector<std::string> sharing_gathers = {"bilinear", "bilinear/face"};
+const std::vector<std::string> changing_gathers = {"bilinear",
+                                                   "bilinear/face"};  // where blocks change with hits
 const std::vector<std::string> kernels = {"disc", "epanechnikov"};
 constexpr double fewest_texels = 1024, most_texels = 4194304, most_sharing_texels = 262144;
 const std::vector<double> adaptive_percents = {0.7, 0.84, 1, 1.2, 1.4, 1.7, 2,  2.4, 2.8, 3.4, 4, 4.7,
@@ -94,10 +94,10 @@ std::vector<Candidate> all_candidates() {
             for (double texels = fewest_texels; texels <= most_texels; texels *= 4)
                 all.push_back({CandidateKind::light_map, basis, gather, texels});
     for (const std::string& basis : sharing_bases)
-        for (const std::string& gather : sharing_gathers)
+        for (const std::string& gather : changing_gathers)
             for (double texels = fewest_texels; texels <= most_sharing_texels; texels *= 4)
                 all.push_back({CandidateKind::sharing_map, basis, gather, texels});
-    for (const std::string& gather : adaptive_gathers)
+    for (const std::string& gather : changing_gathers)
         for (const double texels : adaptive_texels)
             for (const double percent : adaptive_percents)
                 all.push_back({CandidateKind::adaptive_map, "adaptive", gather, percent, texels});

@@ -24,7 +24,7 @@ class FlipForecasts : public testing::Test {
     std::mt19937_64 random{1};
 
     FlipForecasts() {
-        points.tiles = tiles;
+        points.tiling = {tiles, 1};
         points.width = width;
         points.height = height;
         points.point.resize(pixels);

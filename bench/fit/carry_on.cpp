@@ -32,6 +32,7 @@ ErrorModel carried_on(const ErrorModel& coarse, double coarse_width, double widt
     ErrorModel model = coarse;
     model.noise_sq *= finer_sq;
     model.spread_variance *= finer_sq;
+    model.noise_variance *= finer_sq;
     model.blur_sq /= finer;
     model.bias_variance /= coarse.truncation_sq > 0 ? 1 : finer_sq;
     return model;

@@ -137,7 +137,8 @@ Choice choose(const Knowledge& known, const FitGoal& goal, bool light_maps) {
 
 bool is_sure(const FitGoal& goal, const Choice& choice) {
     if (goal.metric == Metric::flip) return true;  // a mean over pixels of what is seen, not of squares
-    return !choice.reached || goal.z * choice.proposal.model.deviation(choice.proposal.hits) <=
+    const ErrorModel& model = choice.proposal.model;
+    return !choice.reached || z_of(goal, model) * model.deviation(choice.proposal.hits) <=
                                   most_doubt * goal.target * goal.target;
 }
 

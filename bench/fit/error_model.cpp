@@ -7,7 +7,8 @@ namespace bench::fit {
 
 double ErrorModel::deviation(double hits) const {
     const double x = pilot_hits / hits;
-    return std::sqrt(bias_variance + (2 * x * x + std::max(2 * x, 2 * x * x)) * spread_variance);
+    const double noise_alone = std::min(noise_variance, 2 * spread_variance);
+    return std::sqrt(bias_variance + 2 * x * spread_variance + 2 * std::max(0.0, x * x - x) * noise_alone);
 }
 
 std::optional<double> hits_for(const ErrorModel& model, double target, double z) {

@@ -14,6 +14,7 @@ struct ErrorModel {
     double truncation_sq = 0;     ///< neither does this; light maps only
     double bias_variance = 0;     ///< of the estimate of blur_sq + truncation_sq over pilots
     double spread_variance = 0;   ///< variance_about the best answer, of the candidate's own halves
+    double noise_variance = 0;    ///< of the mean square noise of one half, at most (most_noise_variance)
     bool at_pilot_alone = false;  ///< nothing is known of other numbers of hits: pilot_hits is all there is
 
     [[nodiscard]] double bias_sq() const { return blur_sq + truncation_sq; }
@@ -27,10 +28,12 @@ struct ErrorModel {
 
     /// Standard deviation of (the squared error of one run with so many hits) less (error_sq of one pilot).
     ///
-    /// With x = pilot_hits / hits, beta the bias and alpha the noise of one half, the parts are: the estimate
-    /// of the bias; x times that of the noise, mean w alpha^2; and the run's own 2 sqrt(x) beta alpha + x
-    /// alpha^2. The candidate's spread_variance S is 2 Var(mean w beta alpha) + Var(mean w alpha^2) / 2, so
-    /// these are at most 2 x^2 S, and max(2 x, 2 x^2) S.
+    /// With x = pilot_hits / hits, beta the bias, alpha and alpha' the noise of the halves, the parts are:
+    /// the estimate of the bias, which has w alpha alpha'; x times that of the noise, w (alpha - alpha')^2 /
+    /// 2; and the run's own w (2 sqrt(x) beta alpha + x alpha^2). Let V be Var(mean w beta alpha) and N
+    /// Var(mean w alpha^2), alpha normal. Then the estimate of the noise has the variance x^2 N, and -x N / 2
+    /// is its covariance with that of the bias; the run has 4 x V + x^2 N. As spread_variance is 2 V + N / 2,
+    /// that makes 2 x spread_variance + 2 (x^2 - x) N.
     [[nodiscard]] double deviation(double hits) const;
 };
 

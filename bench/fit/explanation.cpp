@@ -30,7 +30,7 @@ std::vector<SurfaceError> surface_errors(const FitResult& result, const PilotSub
     if (!sample.present()) return {};
     const FitPoints& points = subject.points;
     const common::Scene& scene = subject.loaded.scene;
-    const Measure all(result.estimates.best_answers, points.tile, points.tiles);
+    const Measure all(result.estimates.best_answers, points.tile, points.tiling);
     std::vector<double> points_of(scene.instance.size());
     for (const common::SurfacePoint& point : points.point)
         ++points_of[scene.instance_of[point.surface.triangle]];

@@ -13,7 +13,7 @@ constexpr std::uint32_t tiles_across = width / tile_side, tiles_down = height / 
 
 FitPoints find_fit_points(const LoadedScene& scene) {
     FitPoints points;
-    points.tiles = tiles_across * tiles_down;
+    points.tiling = {tiles_across, tiles_down};
     points.width = width;
     points.height = height;
     const auto seen = common::visible_surfaces(scene.rays, scene.camera, width, height);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/app/scene_options.h"
+#include "bench/fit/tiling.h"
 
 namespace bench::fit {
 
@@ -13,7 +14,7 @@ struct FitPoints {
         point;                         ///< what the camera sees on a grid of 96 x 54 pixels, row by row
     std::vector<std::uint32_t> pixel;  ///< of each point: row by row
     std::vector<std::uint32_t> tile;   ///< of each point: the part of the image that it is in
-    std::uint32_t tiles = 0;
+    Tiling tiling;
     std::uint32_t width = 0, height = 0;  ///< of the image, pixels
 };
 

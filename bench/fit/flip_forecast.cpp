@@ -85,7 +85,7 @@ NeededHits needed_of(const FlipForecast& forecast, const PilotSample& sample, co
 FlipForecast::FlipForecast(const FitPoints& points, const SelfEstimates& estimates)
     : points_(points),
       estimates_(estimates),
-      measure_(estimates.best_answers, points.tile, points.tiles),
+      measure_(estimates.best_answers, points.tile, points.tiling),
       present_(std::size_t{points.width} * points.height),
       reference_(picture_of(estimates.best_answers)),
       exposures_(common::exposures_for(estimates.best_answers)) {

@@ -18,13 +18,16 @@ std::optional<double> least_hits(const ErrorModel& model, bool measured, const F
 
 }  // namespace
 
+double z_of(const FitGoal& goal, const ErrorModel& model) {
+    return model.at_pilot_alone ? goal.z_of_tries : goal.z;
+}
+
 std::vector<NeededHits> needed_by_error(const SelfEstimates& estimates, const FitGoal& goal) {
     std::vector<NeededHits> needed(estimates.model.size());
     for (std::size_t i = 0; i < needed.size(); ++i) {
         if (!estimates.model[i]) continue;
         const ErrorModel& model = *estimates.model[i];
-        const double z = model.at_pilot_alone ? goal.z_of_tries : goal.z;
-        needed[i] = {.sure = hits_for(model, goal.target, z),
+        needed[i] = {.sure = hits_for(model, goal.target, z_of(goal, model)),
                      .likely = hits_for(model, goal.target, 0),
                      .least = least_hits(model, estimates.measured[i], goal),
                      .without_noise = std::sqrt(std::max(0.0, model.upper_bias_sq(goal.z)))};

@@ -28,6 +28,9 @@ struct FitGoal {
     double max_hits = 0;
 };
 
+/// Of the margin that a choice by this model has.
+[[nodiscard]] double z_of(const FitGoal& goal, const ErrorModel& model);
+
 struct NeededHits {
     std::optional<double>
         sure;  ///< that allow for chance: none where no number of hits does, or nothing is known

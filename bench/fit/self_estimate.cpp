@@ -1,6 +1,7 @@
 #include "bench/fit/self_estimate.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "common/difference/error_metrics.h"
 
@@ -16,14 +17,18 @@ void for_all_values(const Measure& measure, Work work) {
         for (int c = 0; c < 3; ++c) work(i, c, double{measure.weight[i][c]});
 }
 
+double sum_of_squares(const std::vector<double>& values) {
+    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
+
 double value_count(const Measure& measure) {
     return 3.0 * static_cast<double>(measure.weight.size());
 }
 
 }  // namespace
 
-Measure::Measure(std::span<const Rgb> best, std::span<const std::uint32_t> tile_of, std::uint32_t tile_count)
-    : tile(tile_of), tiles(tile_count) {
+Measure::Measure(std::span<const Rgb> best, std::span<const std::uint32_t> tile_of, const Tiling& tiling_of)
+    : tile(tile_of), tiling(tiling_of) {
     const double epsilon = common::relative_epsilon(best);
     weight.resize(best.size());
     for (std::size_t i = 0; i < best.size(); ++i)
@@ -32,9 +37,7 @@ Measure::Measure(std::span<const Rgb> best, std::span<const std::uint32_t> tile_
 }
 
 double SquareEstimate::variance() const {
-    double sum = 0;
-    for (const double difference : tile_difference) sum += difference * difference;
-    return sum;
+    return variance_of_sum(tile_difference, tiling);
 }
 
 double SquareEstimate::standard_error() const {
@@ -43,6 +46,7 @@ double SquareEstimate::standard_error() const {
 
 SquareEstimate& SquareEstimate::operator+=(const SquareEstimate& other) {
     value += other.value;
+    if (!other.tile_difference.empty()) tiling = other.tiling;
     tile_difference.resize(std::max(tile_difference.size(), other.tile_difference.size()));
     for (std::size_t t = 0; t < other.tile_difference.size(); ++t)
         tile_difference[t] += other.tile_difference[t];
@@ -57,7 +61,8 @@ SquareEstimate SquareEstimate::scaled(double factor) const {
 }
 
 SquareEstimate squared_difference(const Halves& halves, const Halves& other, const Measure& measure) {
-    SquareEstimate estimate{.value = 0, .tile_difference = std::vector<double>(measure.tiles)};
+    SquareEstimate estimate{
+        .value = 0, .tile_difference = std::vector<double>(measure.tiling.count()), .tiling = measure.tiling};
     for_all_values(measure, [&](std::size_t i, int c, double weight) {
         const double a = double{halves.a[i][c]} - other.a[i][c], b = double{halves.b[i][c]} - other.b[i][c];
         estimate.value += weight * a * b;
@@ -77,6 +82,18 @@ double noise_sq(const Halves& halves, const Measure& measure) {
     std::vector<Rgb> difference(halves.a.size());
     for (std::size_t i = 0; i < difference.size(); ++i) difference[i] = halves.a[i] - halves.b[i];
     return mean_square(difference, measure) / 2;
+}
+
+double most_noise_variance(const Halves& halves, const Measure& measure) {
+    std::vector<double> tile_noise(measure.tiling.count()), tile_noise_sq(measure.tiling.count());
+    for_all_values(measure, [&](std::size_t i, int c, double weight) {
+        const double noise = std::sqrt(weight) * (double{halves.a[i][c]} - halves.b[i][c]);
+        tile_noise[measure.tile[i]] += noise;
+        tile_noise_sq[measure.tile[i]] += noise * noise / 2 / value_count(measure);
+    });
+    const double apart = sum_of_squares(tile_noise);
+    const double joined = apart > 0 ? variance_of_sum(tile_noise, measure.tiling) / apart : 1;
+    return joined * sum_of_squares(tile_noise_sq);
 }
 
 double variance_about(const Halves& halves, std::span<const Rgb> centre, const Measure& measure) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "bench/fit/tiling.h"
 #include "common/core/vector.h"
 
 namespace bench::fit {
@@ -18,11 +19,11 @@ struct Halves {
 struct Measure {
     std::vector<common::Rgb> weight;      ///< of each point: 1 / (R^2 + epsilon), R the best answer there is
     std::span<const std::uint32_t> tile;  ///< of each point
-    std::uint32_t tiles = 0;
+    Tiling tiling;
 
     /// Throws InputError where R is black (relative_epsilon).
     Measure(std::span<const common::Rgb> best, std::span<const std::uint32_t> tile_of,
-            std::uint32_t tile_count);
+            const Tiling& tiling_of);
 };
 
 /// A squared relative error, mean over points and channels, with what tells how sure it is.
@@ -32,11 +33,11 @@ struct Measure {
 /// different tiles. With a - f = beta + alpha and b - f = beta + alpha', half that difference is the sum of
 /// w (beta + (alpha + alpha') / 2) (alpha - alpha'), whose variance is that of the sum of w (a - f)(b - f)
 /// where alpha is normal: beta (alpha - alpha') varies as beta (alpha + alpha'), and (alpha^2 - alpha'^2) / 2
-/// as alpha alpha'. So the sum of the tiles' squares is the variance of the estimate. Light maps of few
-/// texels, which join tiles, have little noise to be wrong about.
+/// as alpha alpha'. So the tiles say what the variance of the estimate is (variance_of_sum).
 struct SquareEstimate {
     double value = 0;
     std::vector<double> tile_difference;  ///< half the difference between the halves, of each tile
+    Tiling tiling;
 
     [[nodiscard]] double variance() const;
     [[nodiscard]] double standard_error() const;
@@ -54,6 +55,11 @@ struct SquareEstimate {
 
 /// Variance of one half: mean of w (a - b)^2 / 2.
 [[nodiscard]] double noise_sq(const Halves& halves, const Measure& measure);
+
+/// Variance over runs of the mean square noise of one half, at most: the sum of the squares of what the tiles
+/// add, as a variance is at most the mean square; more where noise joins tiles, by as much as that adds to
+/// the variance of the noise itself.
+[[nodiscard]] double most_noise_variance(const Halves& halves, const Measure& measure);
 
 /// Variance over runs, as far as the photons of `halves` alone cause it, of half the difference between the
 /// halves' squared distances to `centre`: what SquareEstimate's variance is where the other does not vary.

@@ -126,6 +126,7 @@ ErrorModel model_of(std::size_t i, Candidates candidates, Samples samples, const
             .truncation_sq = truncation,
             .bias_variance = bias_sq.variance(),
             .spread_variance = variance_about(samples[i].halves, best, measure),
+            .noise_variance = most_noise_variance(samples[i].halves, measure),
             .at_pilot_alone = candidates[i].changes_with_hits()};
 }
 
@@ -175,7 +176,7 @@ std::optional<SelfEstimates> estimate_errors(Candidates candidates, Samples samp
     std::vector<common::Rgb> best = mean_of(samples[*guess].halves);
     std::optional<SelfEstimates> estimates;
     for (int pass = 0; pass < 2; ++pass) {
-        estimates = estimate_by(candidates, samples, Measure(best, points.tile, points.tiles), best);
+        estimates = estimate_by(candidates, samples, Measure(best, points.tile, points.tiling), best);
         if (!estimates) return estimates;
         best = estimates->best_answers;
     }

@@ -20,9 +20,7 @@ using Json = nlohmann::ordered_json;
 
 /// What a fit works on. All must outlive it.
 struct FitScene {
-    const LoadedScene& loaded;
-    const common::PhotonSource& source;
-    PreparedMethods& prepared;
+    fit::PilotSubject subject;
     StudyScene* with_reference;  ///< null: nothing is verified
 };
 
@@ -41,40 +39,32 @@ FitVerification verification(const FitPlan& plan, const fit::FitResult& result, 
     return {runs_of(result.light_map), runs_of(result.photon_map), scene.reference_error()};
 }
 
-FitDocuments fitted(const FitPlan& plan, const FitScene& scene) {
-    print_scene_warnings(scene.loaded);
-    print_lightmap_warnings(scene.loaded, scene.prepared);
-    const fit::FitPoints points = fit::find_fit_points(scene.loaded);
-    const fit::PilotSubject subject{scene.loaded, scene.source, scene.prepared,
-                                    points,       plan.seed,    plan.max_bytes};
-    const fit::FitResult result = fit::search(subject, plan.goal, {plan.pilot_hits});
+FitDocuments fitted(const FitPlan& plan, const fit::FitGoal& goal, const FitScene& scene,
+                    fit::PilotArchive& archive) {
+    const fit::FitResult result = fit::search(scene.subject, goal, {plan.pilot_hits}, archive);
     const FitVerification verified =
         scene.with_reference ? verification(plan, result, *scene.with_reference) : FitVerification{};
-    FitDocuments documents{fit_as_json(plan, scene.loaded.scene, result, verified), {}};
+    FitDocuments documents{fit_as_json(plan, goal, scene.subject.loaded.scene, result, verified), {}};
     if (plan.explain) {
-        const fit::Explanation explanation = fit::explain(result, subject);
-        documents.fit["explanation"] = explanation_as_json(explanation, scene.loaded.scene);
+        const fit::Explanation explanation = fit::explain(result, scene.subject);
+        documents.fit["explanation"] = explanation_as_json(explanation, scene.subject.loaded.scene);
         documents.picture = picture_as_json(explanation, documents.fit);
     }
     return documents;
-}
-
-FitDocuments fitted(const FitPlan& plan) {
-    if (plan.reference) {  // read first: what cannot be verified is not to be found out after the search
-        StudyScene scene(plan.file, *plan.reference, plan.scene, plan.settings);
-        return fitted(plan, {scene.loaded(), scene.source(), scene.prepared(), &scene});
-    }
-    const LoadedScene loaded(plan.file, plan.scene);
-    const common::PhotonSource source(loaded.scene);
-    PreparedMethods prepared(loaded, plan.settings);
-    return fitted(plan, {loaded, source, prepared, nullptr});
 }
 
 std::string as_text(const Json& document, int indent) {
     return document.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";  // odd file names
 }
 
+/// Of several goals each has its own, such as 5-time.
+std::filesystem::path folder_of(const FitPlan& plan, const fit::FitGoal& goal) {
+    if (plan.goals.size() == 1) return *plan.out;
+    return *plan.out / fmt::format("{:g}-{}", 100 * goal.target, goal.least_bytes ? "bytes" : "time");
+}
+
 void write(const std::filesystem::path& folder, const FitDocuments& documents) {
+    prepare_output_folder("--out", folder);
     write_text(folder / "fit.json", as_text(documents.fit, 2));
     write_text(folder / "fit.md", fit_as_markdown(documents.fit));
     if (documents.picture.is_null()) return;
@@ -83,10 +73,33 @@ void write(const std::filesystem::path& folder, const FitDocuments& documents) {
         throw common::InputError("fit: the picture of --explain could not be drawn");
 }
 
-void say(const FitPlan& plan, const FitDocuments& documents, bool as_json) {
-    if (plan.out) write(*plan.out, documents);
+void say(const FitPlan& plan, const fit::FitGoal& goal, const FitDocuments& documents, bool as_json) {
+    if (plan.out) write(folder_of(plan, goal), documents);
     fmt::print("{}", as_json ? as_text(documents.fit, 2) : fit_as_text(documents.fit));
-    if (plan.out && !as_json) fmt::print("\n{}\n", (*plan.out / "fit.json").string());
+    if (plan.out && !as_json) fmt::print("\n{}\n\n", (folder_of(plan, goal) / "fit.json").string());
+    std::fflush(stdout);  // the next goal may take minutes
+}
+
+void fit_all(const FitPlan& plan, const LoadedScene& loaded, const common::PhotonSource& source,
+             PreparedMethods& prepared, StudyScene* with_reference, bool as_json) {
+    print_scene_warnings(loaded);
+    print_lightmap_warnings(loaded, prepared);
+    const fit::FitPoints points = fit::find_fit_points(loaded);
+    const FitScene scene{{loaded, source, prepared, points, plan.seed, plan.max_bytes}, with_reference};
+    const std::vector<fit::Candidate> candidates = fit::all_candidates();
+    fit::PilotArchive archive(candidates);
+    for (const fit::FitGoal& goal : plan.goals) say(plan, goal, fitted(plan, goal, scene, archive), as_json);
+}
+
+void fit_all(const FitPlan& plan, bool as_json) {
+    if (plan.reference) {  // read first: what cannot be verified is not to be found out after the search
+        StudyScene scene(plan.file, *plan.reference, plan.scene, plan.settings);
+        return fit_all(plan, scene.loaded(), scene.source(), scene.prepared(), &scene, as_json);
+    }
+    const LoadedScene loaded(plan.file, plan.scene);
+    const common::PhotonSource source(loaded.scene);
+    PreparedMethods prepared(loaded, plan.settings);
+    fit_all(plan, loaded, source, prepared, nullptr, as_json);
 }
 
 void run(const FitOptions& options) {
@@ -96,7 +109,7 @@ void run(const FitOptions& options) {
     }
     const FitPlan plan = make_plan(options);
     common::ThreadPool pool(plan.threads);
-    pool.run([&] { say(plan, fitted(plan), options.json); });
+    pool.run([&] { fit_all(plan, options.json); });
 }
 
 }  // namespace

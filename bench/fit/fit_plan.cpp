@@ -17,31 +17,45 @@ constexpr double confidence = 0.9;  // of ten runs nine meet the target
 constexpr double tries = 10;        // of a map whose blocks change with its hits: pilots, and fewer hits
 constexpr std::size_t most_seeds = 1000;
 
-fit::FitGoal goal_of(const FitOptions& options) {
-    fit::FitGoal goal{.target = parse_percentage("--target", options.target),
+fit::FitGoal goal_of(const FitOptions& options, const std::string& target, const std::string& least) {
+    fit::FitGoal goal{.target = parse_percentage("--target", target),
                       .z = z_for(2 * (1 - confidence)),
                       .z_of_tries = z_for(2 * (1 - confidence) / tries),
                       .max_hits = static_cast<double>(parse_count("--max-hits", options.max_hits))};
     if (options.metric != "relmse" && options.metric != "flip")
         throw common::InputError(fmt::format("--metric: '{}' is neither relmse nor flip", options.metric));
     if (options.metric == "flip") goal.metric = fit::Metric::flip;
-    if (options.least != "time" && options.least != "bytes")
-        throw common::InputError(fmt::format("--least: '{}' is neither time nor bytes", options.least));
-    goal.least_bytes = options.least == "bytes";
+    if (least != "time" && least != "bytes")
+        throw common::InputError(fmt::format("--least: '{}' is neither time nor bytes", least));
+    goal.least_bytes = least == "bytes";
     if (!options.budget_bytes.empty())
         goal.budget_bytes = static_cast<double>(parse_bytes("--budget-bytes", options.budget_bytes));
     if (!options.budget_time.empty()) goal.budget_seconds = parse_seconds("--time", options.budget_time);
     return goal;
 }
 
+std::vector<fit::FitGoal> goals_of(const FitOptions& options) {
+    std::vector<fit::FitGoal> goals;
+    for (const std::string& target : options.targets)
+        for (const std::string& least : options.least) goals.push_back(goal_of(options, target, least));
+    return goals;
+}
+
 }  // namespace
 
 void FitOptions::add_to(CLI::App& command) {
     command.add_option("SCENE", file, "glTF 2.0 file, .gltf or .glb");
-    command.add_option("--target", target, "The error to reach, such as 5%");
+    command
+        .add_option(
+            "--target", targets,
+            "The errors to reach, such as 10%,5%; pilots are shared, and --out gets a folder for each")
+        ->delimiter(',');
     command.add_option("--metric", metric, "Of the target: relmse, the root of it, or flip, 5% being 0.05")
         ->capture_default_str();
-    command.add_option("--least", least, "What is to be as little as can be: time or bytes")
+    command
+        .add_option("--least", least,
+                    "What is to be as little as can be: time, bytes, or time,bytes, one after the other")
+        ->delimiter(',')
         ->capture_default_str();
     command.add_option("--budget-bytes", budget_bytes, "Finished maps must be no larger, such as 100MiB");
     command.add_option("--time", budget_time, "Runs must be no longer, such as 30s");
@@ -68,10 +82,10 @@ void FitOptions::add_to(CLI::App& command) {
 
 FitPlan make_plan(const FitOptions& options) {
     if (options.file.empty()) throw common::InputError("fit: which SCENE?");
-    if (options.target.empty())
+    if (options.targets.empty())
         throw common::InputError("--target: which error is to be reached, such as 5%?");
     FitPlan plan{.file = options.file,
-                 .goal = goal_of(options),
+                 .goals = goals_of(options),
                  .pilot_hits = parse_count("--pilot", options.pilot),
                  .max_bytes = options.max_memory.empty() ? default_max_bytes()
                                                          : parse_bytes("--max-memory", options.max_memory),

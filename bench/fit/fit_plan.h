@@ -16,8 +16,8 @@ class App;
 namespace bench {
 
 struct FitOptions {
-    std::string file, target, least = "time", metric = "relmse", budget_bytes, budget_time, max_hits = "1e9",
-                              pilot = "1.28e8";
+    std::string file, metric = "relmse", budget_bytes, budget_time, max_hits = "1e9", pilot = "1.28e8";
+    std::vector<std::string> targets, least = {"time"};
     std::string max_memory, verify, out;
     std::size_t seeds = 3;
     bool json = false, list = false, explain = false;
@@ -29,13 +29,14 @@ struct FitOptions {
 
 struct FitPlan {
     std::string file;
-    fit::FitGoal goal;
-    std::uint64_t pilot_hits;  ///< of each half, at most
+    std::vector<fit::FitGoal> goals;  ///< each target by each of `least`
+    std::uint64_t pilot_hits;         ///< of each half, at most
     std::size_t max_bytes;
     std::optional<std::filesystem::path> reference;  ///< to verify with
     std::size_t seeds;                               ///< runs of each verification
     bool explain;                                    ///< say why the light map is what it is
-    std::optional<std::filesystem::path> out;        ///< exists and can be written to
+    std::optional<std::filesystem::path> out;        ///< exists and can be written to; a folder in it for
+                                                     ///< each of several goals
     SceneOptions scene;
     MethodSettings settings;
     std::uint64_t seed;

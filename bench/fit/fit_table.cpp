@@ -186,30 +186,29 @@ constexpr std::array<std::pair<const char*, const char*>, 2> kinds = {
 
 }  // namespace
 
-Json fit_as_json(const FitPlan& plan, const common::Scene& scene, const fit::FitResult& result,
-                 const FitVerification& verified) {
+Json fit_as_json(const FitPlan& plan, const fit::FitGoal& goal, const common::Scene& scene,
+                 const fit::FitResult& result, const FitVerification& verified) {
     Json context = provenance();
     context["threads"] = plan.threads;
     context["settings"] = describe(plan.settings);
     context["lights_and_camera"] = fmt::format("{} {} {}", plan.scene.sky, plan.scene.sun, plan.scene.camera);
-    const double z = plan.goal.z;
-    Json document = {
-        {"context", context},
-        {"definition", definition},
-        {"scene", std::filesystem::path(plan.file).stem().string()},
-        {"file", scene.source},
-        {"fingerprint", common::fingerprint(scene)},
-        {"target", plan.goal.target},
-        {"metric", plan.goal.metric == fit::Metric::flip ? "FLIP" : "relative RMS"},
-        {"least", plan.goal.least_bytes ? "bytes" : "time"},
-        {"max_hits", plan.goal.max_hits},
-        {"seed", plan.seed},
-        {"pilot", pilot_as_json(plan, result)},
-        {"light_map", choice_as_json(result, result.light_map, plan.goal, verified.light_map)},
-        {"photon_map", choice_as_json(result, result.photon_map, plan.goal, verified.photon_map)},
-        {"light_maps", rows_of(result, result.light_maps, z)},
-        {"photon_maps", rows_of(result, result.photon_maps, z)},
-        {"models", models_as_json(result)}};
+    const double z = goal.z;
+    Json document = {{"context", context},
+                     {"definition", definition},
+                     {"scene", std::filesystem::path(plan.file).stem().string()},
+                     {"file", scene.source},
+                     {"fingerprint", common::fingerprint(scene)},
+                     {"target", goal.target},
+                     {"metric", goal.metric == fit::Metric::flip ? "FLIP" : "relative RMS"},
+                     {"least", goal.least_bytes ? "bytes" : "time"},
+                     {"max_hits", goal.max_hits},
+                     {"seed", plan.seed},
+                     {"pilot", pilot_as_json(plan, result)},
+                     {"light_map", choice_as_json(result, result.light_map, goal, verified.light_map)},
+                     {"photon_map", choice_as_json(result, result.photon_map, goal, verified.photon_map)},
+                     {"light_maps", rows_of(result, result.light_maps, z)},
+                     {"photon_maps", rows_of(result, result.photon_maps, z)},
+                     {"models", models_as_json(result)}};
     if (plan.reference) {
         document["reference"] = plan.reference->string();
         document["reference_error"] = verified.reference_error;

@@ -16,8 +16,8 @@ struct FitVerification {
     double reference_error = 0;  ///< of the reference itself, relative RMS; part of every measured error
 };
 
-[[nodiscard]] nlohmann::ordered_json fit_as_json(const FitPlan& plan, const common::Scene& scene,
-                                                 const fit::FitResult& result,
+[[nodiscard]] nlohmann::ordered_json fit_as_json(const FitPlan& plan, const fit::FitGoal& goal,
+                                                 const common::Scene& scene, const fit::FitResult& result,
                                                  const FitVerification& verified);
 
 /// For a terminal.

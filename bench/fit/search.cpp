@@ -163,14 +163,15 @@ void look_for_fewer_hits(State& state) {
 
 }  // namespace
 
-FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchLimits& limits) {
+FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchLimits& limits,
+                 PilotArchive& archive) {
     State state{subject, goal};
     const common::Stopwatch watch;
     bool known = false;
     for (std::uint64_t hits =
              std::max(std::min(limits.pilot_hits, fewest_pilot_hits), limits.pilot_hits / first_share);
          hits <= limits.pilot_hits; hits *= growth) {
-        run_pilot(subject, state.candidates, to_trace(state, hits, !known), hits, state.samples);
+        archive.run_pilot(subject, to_trace(state, hits, !known), hits, state.samples);
         state.result.pilot_hits = hits;
         known = choose_both(state);
         if (!known || !is_well_measured(state) || !is_sure(goal, state.result.light_map) ||

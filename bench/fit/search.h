@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/fit/choice.h"
+#include "bench/fit/pilot_archive.h"
 
 namespace bench::fit {
 
@@ -22,14 +23,18 @@ struct FitResult {
     Choice light_map, photon_map;
     std::vector<Proposal> light_maps, photon_maps;  ///< all that reach the target, the least cost first
     std::uint64_t pilot_hits = 0;                   ///< of each half of the largest pilot that was traced
-    double pilot_seconds = 0;                       ///< wall time of all pilots
+    double pilot_seconds = 0;  ///< wall time of all pilots that no goal before had asked for
 };
 
-/// Begins with 1/1024 of the largest pilot, fewest_pilot_hits at least, and takes four times as much until the
-/// choices owe little to chance and either knowing more could hardly save anything or the next pilot would
-/// have more hits than the two chosen runs; at most to the largest. Candidates that cannot be chosen any
-/// more, or of which enough is known, are not traced again. Throws Interrupted, and InputError where the
-/// camera sees nothing or it is dark there.
-[[nodiscard]] FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchLimits& limits);
+/// Begins with 1/1024 of the largest pilot, fewest_pilot_hits at least, and takes four times as much until
+/// the choices owe little to chance and either knowing more could hardly save anything or the next pilot
+/// would have more hits than the two chosen runs, or than 16 of them where bytes are the goal; at most to the
+/// largest. What is out of reach counts as a run of max_hits. Candidates that cannot be chosen any more, or
+/// of which enough is known, are not traced again. Where time is the goal and blocks change with the hits,
+/// smaller pilots follow, as long as one of them makes the light map cheaper. Throws Interrupted, and
+/// InputError where the camera sees nothing or it is dark there.
+/// The result is the same whatever the archive holds, but for times, which were measured once.
+[[nodiscard]] FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchLimits& limits,
+                               PilotArchive& archive);
 
 }  // namespace bench::fit

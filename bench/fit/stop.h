@@ -1,4 +1,4 @@
-// A fit that is interrupted keeps nothing.
+// A fit that is interrupted keeps the goals that it has finished.
 #pragma once
 
 #include "bench/app/ending.h"
@@ -8,7 +8,7 @@ namespace bench::fit {
 
 /// Throws Interrupted where the user has ended the run.
 inline void stop_if_interrupted() {
-    if (common::interrupted()) throw Interrupted("fit stopped: nothing is written");
+    if (common::interrupted()) throw Interrupted("fit stopped: what is not finished is not written");
 }
 
 }  // namespace bench::fit

@@ -13,6 +13,7 @@ from billion_hits import billion_hits
 from claims import constant_gather, constant_insert, constant_memory, faster_gather, tracing_speed, verdict_by_spread
 from comparison import INCREMENTAL, LIGHT_MAP, PHOTON_MAP, Comparison
 from memory_wall import growth, wall_bytes
+from report import images
 from study_claims import converges, crossing_words, normal_maps
 from study_methods import REFERENCE_LIGHT_MAP, TRADITIONAL_LIGHT_MAP
 
@@ -272,6 +273,22 @@ class Studied(unittest.TestCase):
         self.assertEqual(words([[None, 2e4]], 2e4), "up to 2e+04 hits (20 per texel)")
         self.assertEqual(words([[None, None]], None), "everywhere")
         self.assertEqual(words([], None), "nowhere up to 1e+06")
+
+
+class Images(unittest.TestCase):
+    def test_engines_share_a_picture(self):
+        methods = (COMPACT, "photonmap/flann/k50/disc", "photonmap/flann/k200/disc", GRID, LIGHT_MAP)
+        with tempfile.TemporaryDirectory() as folder:
+            document = {"context": {}, "rows": [row(method, 1000) for method in methods]}
+            (Path(folder) / "compare.json").write_text(json.dumps(document), encoding="utf-8")
+            (Path(folder) / "images").mkdir()
+            for method in methods:
+                (Path(folder) / "images" / f"room-{method.replace('/', '-')}.png").touch()
+            shown = [line for line in images(Comparison(folder)) if line.startswith("![")]
+        self.assertEqual(
+            [line[len("![room, ") : line.index("]")] for line in shown],
+            [COMPACT, "photonmap/flann/k200/disc", GRID, LIGHT_MAP],
+        )
 
 
 if __name__ == "__main__":

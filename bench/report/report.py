@@ -64,15 +64,26 @@ def weight_table(comparison):
     return lines if len(lines) > 2 else []
 
 
+def picture_of(method):
+    """What its picture depends on: all engines of a photon map find the same photons."""
+    family, *settings = method.split("/")
+    return (family, *settings[1:]) if family == "photonmap" else (family, *settings)
+
+
 def images(comparison):
+    """One picture for all engines, by the first that has one."""
     lines = []
     for scene in comparison.scenes:
+        shown = {}
         for method in comparison.methods:
             name = f"images/{scene}-{method.replace('/', '-')}.png"
             measured = comparison.series(scene, method)
-            if measured and (comparison.folder / name).exists():
-                hits = measured[-1]["hits"]
-                lines += [f"**{scene}, {method}**, {count_text(hits)} hits", "", f"![{scene}, {method}]({name})", ""]
+            if not measured or not (comparison.folder / name).exists():
+                continue
+            if shown.setdefault(picture_of(method), method) != method:
+                continue
+            hits = measured[-1]["hits"]
+            lines += [f"**{scene}, {method}**, {count_text(hits)} hits", "", f"![{scene}, {method}]({name})", ""]
     return lines
 
 
@@ -108,7 +119,7 @@ def report(comparison, study):
     lines += ["## Table", "", "Medians; trace s is tracing without a store, by wall clock. Insert ns is time inside the store per hit and thread.", ""]
     for scene in comparison.scenes:
         lines += [f"### {scene}", "", *scene_table(comparison, scene), ""]
-    lines += ["## Images", "", "One gather per pixel, normal maps applied, the same exposure for all methods of a scene.", "", *images(comparison)]
+    lines += ["## Images", "", "One gather per pixel, normal maps applied, the same exposure for all methods of a scene. Engines of a photon map find the same photons: one picture for all.", "", *images(comparison)]
     lines += ["## How this was made", "", *context_lines(comparison, study), ""]
     return "\n".join(lines)
 

@@ -213,7 +213,7 @@ class DetailedLight {
         FitPoints fit_points;
         fit_points.tile.assign(tile_of_points().begin(), tile_of_points().end());
         fit_points.tiling = tiling;
-        const auto estimates = estimate_errors(candidates, samples, fit_points, 1);
+        const auto estimates = estimate_errors(candidates, samples, fit_points, 0, 1);
         EXPECT_EQ(estimates->finest.candidate, 2u);
         double missed = 0;
         for (std::size_t octave = coarser; octave < octave_.size(); ++octave)

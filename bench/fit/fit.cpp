@@ -27,6 +27,7 @@ struct FitScene {
 /// What a fit has to say.
 struct FitDocuments {
     Json fit;
+    Json models;
     Json picture;  ///< of the explanation; null where none was asked for
 };
 
@@ -44,7 +45,8 @@ FitDocuments fitted(const FitPlan& plan, const fit::FitGoal& goal, const FitScen
     const fit::FitResult result = fit::search(scene.subject, goal, {plan.pilot_hits}, archive);
     const FitVerification verified =
         scene.with_reference ? verification(plan, result, *scene.with_reference) : FitVerification{};
-    FitDocuments documents{fit_as_json(plan, goal, scene.subject.loaded.scene, result, verified), {}};
+    FitDocuments documents{
+        fit_as_json(plan, goal, scene.subject.loaded.scene, result, verified), models_as_json(result), {}};
     if (plan.explain) {
         const fit::Explanation explanation = fit::explain(result, scene.subject);
         documents.fit["explanation"] = explanation_as_json(explanation, scene.subject.loaded.scene);
@@ -67,6 +69,7 @@ void write(const std::filesystem::path& folder, const FitDocuments& documents) {
     prepare_output_folder("--out", folder);
     write_text(folder / "fit.json", as_text(documents.fit, 2));
     write_text(folder / "fit.md", fit_as_markdown(documents.fit));
+    write_text(folder / "models.json", as_text(documents.models, -1));
     if (documents.picture.is_null()) return;
     write_text(folder / "explanation.json", as_text(documents.picture, -1));
     if (!run_python("bench/report/explanation_chart.py", folder))

@@ -68,7 +68,10 @@ void FitOptions::add_to(CLI::App& command) {
                        "A reference of the scene: then trace what was chosen and measure its error");
     command.add_option("--seeds", seeds, "Runs of each verification, other seeds than the pilot's")
         ->capture_default_str();
-    command.add_option("--out", out, "Folder for fit.json, fit.md and the picture of --explain");
+    command.add_option(
+        "--out", out,
+        "Folder for fit.json, fit.md, models.json (what is known of every candidate) and the picture of "
+        "--explain");
     command.add_flag(
         "--explain", explain,
         "Say for each surface what the light map keeps there and what of its error arises there; "

@@ -97,27 +97,6 @@ const char* kind_name(fit::CandidateKind kind) {
     return "share";
 }
 
-/// What is known of every candidate, for whoever wants to hold it against a search.
-Json models_as_json(const fit::FitResult& result) {
-    Json rows = Json::array();
-    for (std::size_t i = 0; i < result.candidates.size(); ++i) {
-        if (!result.estimates.model[i]) continue;
-        const fit::Candidate& candidate = result.candidates[i];
-        const fit::ErrorModel& model = *result.estimates.model[i];
-        rows.push_back({{"chain", candidate.chain()},
-                        {"kind", kind_name(candidate.kind)},
-                        {"value", candidate.value},
-                        {"measured", static_cast<bool>(result.estimates.measured[i])},
-                        {"pilot_hits", model.pilot_hits},
-                        {"noise_sq", model.noise_sq},
-                        {"blur_sq", model.blur_sq},
-                        {"truncation_sq", model.truncation_sq},
-                        {"bias_sq_standard_error", std::sqrt(model.bias_variance)},
-                        {"spread_standard_error", std::sqrt(model.spread_variance)}});
-    }
-    return rows;
-}
-
 Json pilot_as_json(const FitPlan& plan, const fit::FitResult& result) {
     const fit::Finest& finest = result.estimates.finest;
     return {{"hits_of_each_half", result.pilot_hits},
@@ -214,6 +193,27 @@ Json fit_as_json(const FitPlan& plan, const fit::FitGoal& goal, const common::Sc
         document["reference_error"] = verified.reference_error;
     }
     return document;
+}
+
+Json models_as_json(const fit::FitResult& result) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < result.candidates.size(); ++i) {
+        if (!result.estimates.model[i]) continue;
+        const fit::Candidate& candidate = result.candidates[i];
+        const fit::ErrorModel& model = *result.estimates.model[i];
+        rows.push_back({{"chain", candidate.chain()},
+                        {"kind", kind_name(candidate.kind)},
+                        {"value", candidate.value},
+                        {"measured", static_cast<bool>(result.estimates.measured[i])},
+                        {"pilot_hits", model.pilot_hits},
+                        {"noise_sq", model.noise_sq},
+                        {"blur_sq", model.blur_sq},
+                        {"truncation_sq", model.truncation_sq},
+                        {"bias_sq_standard_error", std::sqrt(model.bias_variance)},
+                        {"spread_standard_error", std::sqrt(model.spread_variance)},
+                        {"noise_standard_error", std::sqrt(model.noise_variance)}});
+    }
+    return rows;
 }
 
 std::string fit_as_text(const Json& document) {

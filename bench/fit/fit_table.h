@@ -20,6 +20,9 @@ struct FitVerification {
                                                  const common::Scene& scene, const fit::FitResult& result,
                                                  const FitVerification& verified);
 
+/// The error model of every candidate of which something is known, a row each.
+[[nodiscard]] nlohmann::ordered_json models_as_json(const fit::FitResult& result);
+
 /// For a terminal.
 [[nodiscard]] std::string fit_as_text(const nlohmann::ordered_json& document);
 

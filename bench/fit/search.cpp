@@ -104,20 +104,22 @@ bool is_well_measured(const State& state) {
     return blur_sq <= most_doubt * state.goal.target * state.goal.target;
 }
 
-/// Whether the next pilot would be larger than the runs it is about, or many of them: those with the most
-/// hits that are allowed, where the target is out of reach so far.
+/// Whether the next pilot would be larger than many of the runs it is about: those with the most hits that
+/// are allowed, where the target is out of reach so far.
 bool is_dearer_than_runs(const State& state, std::uint64_t next_hits) {
     const auto hits_of = [&](const Choice& choice) {
         return choice.reached ? choice.proposal.hits : state.goal.max_hits;
     };
-    const double worth = state.goal.least_bytes ? 16 : 1;  // bytes outlast the search for them
+    constexpr double worth = 16;  // what is found serves many runs
     return 2 * static_cast<double>(next_hits) >
            worth * (hits_of(state.result.light_map) + hits_of(state.result.photon_map));
 }
 
 /// Chooses anew from all samples. False where the pilot was too small for that.
 bool choose_both(State& state) {
-    auto estimates = estimate_errors(state.candidates, state.samples, state.subject.points, state.goal.z);
+    const double wanted_error = state.goal.metric == Metric::relative_rms ? state.goal.target : 0;
+    auto estimates =
+        estimate_errors(state.candidates, state.samples, state.subject.points, wanted_error, state.goal.z);
     if (!estimates) return false;
     state.result.estimates = std::move(*estimates);
     state.result.needed =

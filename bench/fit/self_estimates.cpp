@@ -70,9 +70,20 @@ double unseen_share(double coarse_sq, double fine_sq) {
     return std::clamp(falls_by > 1 ? 1 / (falls_by - 1) - 1 : most, 0.0, most);
 }
 
-/// Of all maps of the finest basis the one whose blur is the least for sure: with more texels there is less
-/// blur and more noise to hide it.
-std::optional<Finest> find_finest(Candidates candidates, Samples samples, const Measure& measure) {
+/// How sure the bias of the probe is, were it measured by these maps; that of the finer one where there is no
+/// probe.
+double standard_error_by(std::size_t fine, std::size_t quarter, std::optional<std::size_t> probe,
+                         Samples samples, const Measure& measure) {
+    if (!probe)
+        return squared_difference(samples[quarter].halves, samples[fine].halves, measure).standard_error();
+    const Halves truth = extrapolated(samples[fine].halves, samples[quarter].halves);
+    return squared_difference(samples[*probe].halves, truth, measure).standard_error();
+}
+
+/// Of all maps of the finest basis the one that measures best: with more texels there is less blur, and more
+/// noise to hide that of the others. `probe`: whose bias is to be measured.
+std::optional<Finest> find_finest(Candidates candidates, Samples samples, const Measure& measure,
+                                  std::optional<std::size_t> probe) {
     std::optional<Finest> finest;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -84,7 +95,7 @@ std::optional<Finest> find_finest(Candidates candidates, Samples samples, const 
         const SquareEstimate blur_sq =
             squared_difference(samples[*quarter].halves, samples[i].halves, measure);
         const double upper = expected_blur_sq(fine, *quarter, blur_sq, candidates, samples, measure) +
-                             z_of_finest * blur_sq.standard_error();
+                             z_of_finest * standard_error_by(i, *quarter, probe, samples, measure);
         if (upper >= least) continue;
         least = upper;
         finest = {i, *quarter, {}, blur_sq, {}};
@@ -131,8 +142,9 @@ ErrorModel model_of(std::size_t i, Candidates candidates, Samples samples, const
 }
 
 std::optional<SelfEstimates> estimate_by(Candidates candidates, Samples samples, const Measure& measure,
-                                         std::span<const common::Rgb> best_answers) {
-    const auto finest = find_finest(candidates, samples, measure);
+                                         std::span<const common::Rgb> best_answers,
+                                         std::optional<std::size_t> probe) {
+    const auto finest = find_finest(candidates, samples, measure, probe);
     if (!finest) return std::nullopt;
     SelfEstimates estimates;
     estimates.finest = *finest;
@@ -167,18 +179,32 @@ std::optional<std::size_t> first_guess(Candidates candidates, Samples samples) {
     return guess;
 }
 
+/// Of the candidates whose bias leaves room for noise where this error is wanted, but not for much, the one
+/// with the least noise of its own.
+std::optional<std::size_t> find_probe(std::span<const std::optional<ErrorModel>> model, double wanted_error) {
+    const double wanted_sq = wanted_error * wanted_error;
+    std::optional<std::size_t> probe;
+    for (std::size_t i = 0; i < model.size(); ++i) {
+        if (!model[i] || model[i]->bias_sq() < wanted_sq / 4 || model[i]->bias_sq() > wanted_sq) continue;
+        if (!probe || model[i]->spread_variance < model[*probe]->spread_variance) probe = i;
+    }
+    return probe;
+}
+
 }  // namespace
 
 std::optional<SelfEstimates> estimate_errors(Candidates candidates, Samples samples, const FitPoints& points,
-                                             double z) {
+                                             double wanted_error, double z) {
     const auto guess = first_guess(candidates, samples);
     if (!guess) return std::nullopt;
     std::vector<common::Rgb> best = mean_of(samples[*guess].halves);
     std::optional<SelfEstimates> estimates;
+    std::optional<std::size_t> probe;
     for (int pass = 0; pass < 2; ++pass) {
-        estimates = estimate_by(candidates, samples, Measure(best, points.tile, points.tiling), best);
+        estimates = estimate_by(candidates, samples, Measure(best, points.tile, points.tiling), best, probe);
         if (!estimates) return estimates;
         best = estimates->best_answers;
+        probe = find_probe(estimates->model, wanted_error);
     }
     carry_on(candidates, z, estimates->model);
     return estimates;

@@ -44,10 +44,13 @@ struct SelfEstimates {
     std::vector<bool> measured;  ///< false where the model is a coarser candidate's, carried on
 };
 
-/// `z`: how many standard errors an estimate of bias is to be trusted by. Samples are in the candidates'
-/// order. None where the pilot was too small to measure any light map with four times the texels of another.
+/// `wanted_error`: relative RMS; candidates that come near it are what is to be measured well; 0 where none
+/// counts more than others. `z`: how many standard errors an estimate of bias is to be trusted by. Samples
+/// are in the candidates' order. None where the pilot was too small to measure any light map with four times
+/// the texels of another.
 [[nodiscard]] std::optional<SelfEstimates> estimate_errors(std::span<const Candidate> candidates,
                                                            std::span<const PilotSample> samples,
-                                                           const FitPoints& points, double z);
+                                                           const FitPoints& points, double wanted_error,
+                                                           double z);
 
 }  // namespace bench::fit

@@ -110,7 +110,7 @@ TEST(FitEstimate, KnowsItsOwnSpread) {
     const Measure by = measure();
     const std::uint64_t runs = count_for(2000, 200);
     std::mt19937_64 random(2);
-    for (const auto [bias, neighbours] :
+    for (const auto& [bias, neighbours] :
          {std::pair(0.0, 5u), {0.05, 5u}, {0.5, 5u}, {0.05, 2 * points_per_tile}}) {
         SCOPED_TRACE(testing::Message() << bias << ", " << neighbours);
         const Synthetic coarse{.bias = bias, .noise = 0.3, .neighbours = neighbours},
@@ -243,6 +243,49 @@ TEST(FitTruth, BlurThatHardlyFallsIsNotOverlooked) {
     const double found = DetailedLight(1e-4, 1.2).estimated_over_true();
     EXPECT_GT(found, 1) << "three octaves of three times what the finest map sees";
     EXPECT_LT(found, 3);
+}
+
+/// By texels that are finer and finer and each see the light through more noise; and by a photon map of much
+/// bias and no noise.
+std::vector<PilotSample> samples_of_finer_maps(double noise_sq_of_finest) {
+    std::vector<PilotSample> samples(5);
+    std::mt19937_64 random(4);
+    std::normal_distribution<double> normal;
+    const std::vector<double> bias_sq = {0.0064, 0.0016, 0.0004, 0.0001, 0.0025};
+    for (std::size_t m = 0; m < samples.size(); ++m) {
+        const double noise =
+            m == 4 ? 0 : std::sqrt(noise_sq_of_finest * std::pow(4, static_cast<int>(m) - 3));
+        const auto half = [&] {
+            std::vector<Rgb> answers;
+            for (std::uint32_t i = 0; i < points; ++i) {
+                const double bias = (i % 2 == 0 ? 1 : -1) * std::sqrt(bias_sq[m]);
+                answers.emplace_back(static_cast<float>(1 + bias + noise * normal(random)));
+            }
+            return answers;
+        };
+        samples[m].halves = {half(), half()};
+        samples[m].cost.hits = 1e6;
+    }
+    return samples;
+}
+
+TEST(FitTruth, IsNoFinerThanWhatIsWantedCanBeMeasuredBy) {
+    const std::vector<Candidate> candidates = {{CandidateKind::light_map, "L4/radiance", "own", 1024},
+                                               {CandidateKind::light_map, "L4/radiance", "own", 4096},
+                                               {CandidateKind::light_map, "L4/radiance", "own", 16384},
+                                               {CandidateKind::light_map, "L4/radiance", "own", 65536},
+                                               {CandidateKind::photon_share, "disc", "k", 64e-6}};
+    FitPoints fit_points;
+    fit_points.tile.assign(tile_of_points().begin(), tile_of_points().end());
+    fit_points.tiling = tiling;
+    const std::vector<PilotSample> samples = samples_of_finer_maps(0.003);
+    const auto by_itself = estimate_errors(candidates, samples, fit_points, 0, 1);
+    const auto for_the_photon_map = estimate_errors(candidates, samples, fit_points, 0.07, 1);
+    EXPECT_EQ(by_itself->finest.candidate, 3u) << "little noise beside its own blur";
+    EXPECT_EQ(for_the_photon_map->finest.candidate, 2u);
+    EXPECT_LT(for_the_photon_map->model[4]->bias_variance, by_itself->model[4]->bias_variance);
+    EXPECT_NEAR(for_the_photon_map->model[4]->bias_sq(), 0.0025,
+                z_for(alpha) * std::sqrt(for_the_photon_map->model[4]->bias_variance));
 }
 
 // Hits for a target.

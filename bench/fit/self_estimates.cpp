@@ -13,7 +13,8 @@ namespace {
 using Candidates = std::span<const Candidate>;
 using Samples = std::span<const PilotSample>;
 
-constexpr double z_of_finest = 2;
+/// Noise is what candidates are chosen by wrongly; of the finest map's blur the extrapolation takes most off.
+constexpr double z_of_finest = 4;
 
 /// Irradiance by normal of light with harmonics of equal strength in all bands has the power
 /// (2 l + 1) A_l^2 in band l, A_l the cosine's coefficient (Ramamoorthi and Hanrahan 2001): what bands 6, 8,
@@ -70,18 +71,36 @@ double unseen_share(double coarse_sq, double fine_sq) {
     return std::clamp(falls_by > 1 ? 1 / (falls_by - 1) - 1 : most, 0.0, most);
 }
 
-/// How sure the bias of the probe is, were it measured by these maps; that of the finer one where there is no
-/// probe.
-double standard_error_by(std::size_t fine, std::size_t quarter, std::optional<std::size_t> probe,
-                         Samples samples, const Measure& measure) {
-    if (!probe)
-        return squared_difference(samples[quarter].halves, samples[fine].halves, measure).standard_error();
-    const Halves truth = extrapolated(samples[fine].halves, samples[quarter].halves);
-    return squared_difference(samples[*probe].halves, truth, measure).standard_error();
+/// The map with so many texels and the one with a quarter of them as what stands in for the truth.
+Finest finest_of(std::size_t fine, std::size_t quarter, Candidates candidates, Samples samples,
+                 const Measure& measure) {
+    Finest finest{.candidate = fine,
+                  .quarter = quarter,
+                  .truth = extrapolated(samples[fine].halves, samples[quarter].halves),
+                  .blur_sq = squared_difference(samples[quarter].halves, samples[fine].halves, measure),
+                  .truncation_sq = {},
+                  .unseen_sq = {}};
+    if (const auto sixteenth = find_measured(candidates, samples, with_texels_over(candidates[fine], 16))) {
+        const SquareEstimate coarse =
+            squared_difference(samples[*sixteenth].halves, samples[quarter].halves, measure);
+        finest.unseen_sq = finest.blur_sq.scaled(unseen_share(coarse.value, finest.blur_sq.value));
+    }
+    if (const auto below =
+            find_measured(candidates, samples, with_basis(candidates[fine], basis_below_finest())))
+        finest.truncation_sq = squared_difference(samples[*below].halves, samples[fine].halves, measure)
+                                   .scaled(bands_beyond_last);
+    return finest;
+}
+
+SquareEstimate bias_sq_by(const Finest& finest, const Halves& halves, const Measure& measure) {
+    SquareEstimate bias_sq = squared_difference(halves, finest.truth, measure);
+    bias_sq += finest.truncation_sq;
+    bias_sq += finest.unseen_sq;
+    return bias_sq;
 }
 
 /// Of all maps of the finest basis the one that measures best: with more texels there is less blur, and more
-/// noise to hide that of the others. `probe`: whose bias is to be measured.
+/// noise to hide that of the others. `probe`: whose bias is to be measured; its own blur where there is none.
 std::optional<Finest> find_finest(Candidates candidates, Samples samples, const Measure& measure,
                                   std::optional<std::size_t> probe) {
     std::optional<Finest> finest;
@@ -92,26 +111,16 @@ std::optional<Finest> find_finest(Candidates candidates, Samples samples, const 
             continue;
         const auto quarter = find_measured(candidates, samples, with_texels_over(fine, 4));
         if (!quarter) continue;
-        const SquareEstimate blur_sq =
-            squared_difference(samples[*quarter].halves, samples[i].halves, measure);
-        const double upper = expected_blur_sq(fine, *quarter, blur_sq, candidates, samples, measure) +
-                             z_of_finest * standard_error_by(i, *quarter, probe, samples, measure);
+        const Finest found = finest_of(i, *quarter, candidates, samples, measure);
+        const double standard_error =
+            probe ? bias_sq_by(found, samples[*probe].halves, measure).standard_error()
+                  : found.blur_sq.standard_error();
+        const double upper = expected_blur_sq(fine, *quarter, found.blur_sq, candidates, samples, measure) +
+                             z_of_finest * standard_error;
         if (upper >= least) continue;
         least = upper;
-        finest = {i, *quarter, {}, blur_sq, {}};
+        finest = found;
     }
-    if (!finest) return finest;
-    finest->truth = extrapolated(samples[finest->candidate].halves, samples[finest->quarter].halves);
-    const Candidate& fine = candidates[finest->candidate];
-    if (const auto sixteenth = find_measured(candidates, samples, with_texels_over(fine, 16))) {
-        const SquareEstimate coarse =
-            squared_difference(samples[*sixteenth].halves, samples[finest->quarter].halves, measure);
-        finest->unseen_sq = finest->blur_sq.scaled(unseen_share(coarse.value, finest->blur_sq.value));
-    }
-    if (const auto below = find_measured(candidates, samples, with_basis(fine, basis_below_finest())))
-        finest->truncation_sq =
-            squared_difference(samples[*below].halves, samples[finest->candidate].halves, measure)
-                .scaled(bands_beyond_last);
     return finest;
 }
 
@@ -126,9 +135,7 @@ double truncation_sq(std::size_t i, Candidates candidates, Samples samples, cons
 
 ErrorModel model_of(std::size_t i, Candidates candidates, Samples samples, const Finest& finest,
                     std::span<const common::Rgb> best, const Measure& measure) {
-    SquareEstimate bias_sq = squared_difference(samples[i].halves, finest.truth, measure);
-    bias_sq += finest.truncation_sq;
-    bias_sq += finest.unseen_sq;
+    const SquareEstimate bias_sq = bias_sq_by(finest, samples[i].halves, measure);
     const double known = std::max(0.0, bias_sq.value);
     const double truncation = std::min(known, truncation_sq(i, candidates, samples, finest, measure));
     return {.pilot_hits = samples[i].cost.hits,

@@ -9,9 +9,10 @@
 
 namespace bench::fit {
 
-/// What stands in for the truth. With F the finest map that noise leaves of use, and Q the map with a quarter
-/// of its texels, all are measured by 2 F - Q: the blur b(h) of a map with texels of side h is taken to be
-/// halved with h, so that b(h) = Q - F at every point.
+/// What stands in for the truth. With F a map of so many texels that it blurs little, and not so many that
+/// its noise hides what is wanted, and Q the map with a quarter of its texels, all are measured by 2 F - Q:
+/// the blur b(h) of a map with texels of side h is taken to be halved with h, so that b(h) = Q - F at every
+/// point.
 ///
 /// That is exact for blur in proportion to h. Of an edge that a box of width h blurs, a map with twice F's
 /// width gets exactly its squared blur, one with four times the width 9/8 of it; nearest texels and small

@@ -16,8 +16,7 @@ const std::vector<std::string> bases = {"L0/normalised", "AD/radiance", "YL2/rad
 const std::vector<std::string> gathers = {"own", "bilinear", "bilinear/face", "knn4", "knn8"};
 const std::vector<std::string> sharing_bases = {"L0/normalised", "AD/radiance", "YL2/radiance", "L2/radiance",
                                                 "L4/radiance"};
-const std::vector<std::string> changing_gathers = {"bilinear",
-                                                   "bilinear/face"};  // where blocks change with hits
+const std::vector<std::string> changing_gathers = {"bilinear", "bilinear/face"};  // blocks change with hits
 const std::vector<std::string> kernels = {"disc", "epanechnikov"};
 constexpr double fewest_texels = 1024, most_texels = 4194304, most_sharing_texels = 262144;
 const std::vector<double> adaptive_percents = {0.7, 0.84, 1, 1.2, 1.4, 1.7, 2,  2.4, 2.8, 3.4, 4, 4.7,

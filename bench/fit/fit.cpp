@@ -89,8 +89,7 @@ void fit_all(const FitPlan& plan, const LoadedScene& loaded, const common::Photo
     print_lightmap_warnings(loaded, prepared);
     const fit::FitPoints points = fit::find_fit_points(loaded);
     const FitScene scene{{loaded, source, prepared, points, plan.seed, plan.max_bytes}, with_reference};
-    const std::vector<fit::Candidate> candidates = fit::all_candidates();
-    fit::PilotArchive archive(candidates);
+    fit::PilotArchive archive;
     for (const fit::FitGoal& goal : plan.goals) say(plan, goal, fitted(plan, goal, scene, archive), as_json);
 }
 

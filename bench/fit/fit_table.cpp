@@ -186,8 +186,7 @@ Json fit_as_json(const FitPlan& plan, const fit::FitGoal& goal, const common::Sc
                      {"light_map", choice_as_json(result, result.light_map, goal, verified.light_map)},
                      {"photon_map", choice_as_json(result, result.photon_map, goal, verified.photon_map)},
                      {"light_maps", rows_of(result, result.light_maps, z)},
-                     {"photon_maps", rows_of(result, result.photon_maps, z)},
-                     {"models", models_as_json(result)}};
+                     {"photon_maps", rows_of(result, result.photon_maps, z)}};
     if (plan.reference) {
         document["reference"] = plan.reference->string();
         document["reference_error"] = verified.reference_error;

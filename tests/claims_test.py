@@ -48,11 +48,15 @@ def skipped(method, hits, needed, wall):
     return {"scene": "room", "method": method, "hits_asked": hits, "skipped": "needs much", "needed_bytes": needed, "max_memory_bytes": wall}
 
 
+def write_comparison(folder, rows):
+    document = {"context": {}, "rows": rows}
+    (Path(folder) / "compare.json").write_text(json.dumps(document), encoding="utf-8")
+    return Comparison(folder)
+
+
 def comparison(rows):
     with tempfile.TemporaryDirectory() as folder:
-        document = {"context": {}, "rows": rows}
-        (Path(folder) / "compare.json").write_text(json.dumps(document), encoding="utf-8")
-        return Comparison(folder)
+        return write_comparison(folder, rows)
 
 
 COMPACT = "photonmap/compact/k50/disc"
@@ -279,12 +283,11 @@ class Images(unittest.TestCase):
     def test_engines_share_a_picture(self):
         methods = (COMPACT, "photonmap/flann/k50/disc", "photonmap/flann/k200/disc", GRID, LIGHT_MAP)
         with tempfile.TemporaryDirectory() as folder:
-            document = {"context": {}, "rows": [row(method, 1000) for method in methods]}
-            (Path(folder) / "compare.json").write_text(json.dumps(document), encoding="utf-8")
+            found = write_comparison(folder, [row(method, 1000) for method in methods])
             (Path(folder) / "images").mkdir()
             for method in methods:
                 (Path(folder) / "images" / f"room-{method.replace('/', '-')}.png").touch()
-            shown = [line for line in images(Comparison(folder)) if line.startswith("![")]
+            shown = [line for line in images(found) if line.startswith("![")]
         self.assertEqual(
             [line[len("![room, ") : line.index("]")] for line in shown],
             [COMPACT, "photonmap/flann/k200/disc", GRID, LIGHT_MAP],

@@ -36,6 +36,13 @@ const std::vector<std::uint32_t>& tile_of_points() {
     return tile;
 }
 
+FitPoints fit_points() {
+    FitPoints all;
+    all.tile = tile_of_points();
+    all.tiling = tiling;
+    return all;
+}
+
 Measure measure() {
     std::vector<Rgb> light(points);
     for (std::uint32_t i = 0; i < points; ++i) light[i] = Rgb(light_at(i));
@@ -210,10 +217,7 @@ class DetailedLight {
             samples[i].halves = {answers, answers};
             samples[i].cost.hits = 1e6;
         }
-        FitPoints fit_points;
-        fit_points.tile.assign(tile_of_points().begin(), tile_of_points().end());
-        fit_points.tiling = tiling;
-        const auto estimates = estimate_errors(candidates, samples, fit_points, 0, 1);
+        const auto estimates = estimate_errors(candidates, samples, fit_points(), 0, 1);
         EXPECT_EQ(estimates->finest.candidate, 2u);
         double missed = 0;
         for (std::size_t octave = coarser; octave < octave_.size(); ++octave)
@@ -275,12 +279,9 @@ TEST(FitTruth, IsNoFinerThanWhatIsWantedCanBeMeasuredBy) {
                                                {CandidateKind::light_map, "L4/radiance", "own", 16384},
                                                {CandidateKind::light_map, "L4/radiance", "own", 65536},
                                                {CandidateKind::photon_share, "disc", "k", 64e-6}};
-    FitPoints fit_points;
-    fit_points.tile.assign(tile_of_points().begin(), tile_of_points().end());
-    fit_points.tiling = tiling;
     const std::vector<PilotSample> samples = samples_of_finer_maps(0.003);
-    const auto by_itself = estimate_errors(candidates, samples, fit_points, 0, 1);
-    const auto for_the_photon_map = estimate_errors(candidates, samples, fit_points, 0.07, 1);
+    const auto by_itself = estimate_errors(candidates, samples, fit_points(), 0, 1);
+    const auto for_the_photon_map = estimate_errors(candidates, samples, fit_points(), 0.07, 1);
     EXPECT_EQ(by_itself->finest.candidate, 3u) << "little noise beside its own blur";
     EXPECT_EQ(for_the_photon_map->finest.candidate, 2u);
     EXPECT_LT(for_the_photon_map->model[4]->bias_variance, by_itself->model[4]->bias_variance);

@@ -1,7 +1,6 @@
 #include "bench/fit/self_estimate.h"
 
 #include <cmath>
-#include <numeric>
 
 #include "common/difference/error_metrics.h"
 
@@ -15,10 +14,6 @@ template <class Work>
 void for_all_values(const Measure& measure, Work work) {
     for (std::size_t i = 0; i < measure.weight.size(); ++i)
         for (int c = 0; c < 3; ++c) work(i, c, double{measure.weight[i][c]});
-}
-
-double sum_of_squares(const std::vector<double>& values) {
-    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
 }
 
 double value_count(const Measure& measure) {

@@ -53,13 +53,8 @@ Halves extrapolated(const Halves& fine, const Halves& coarse) {
 
 /// What a map blurs, as far as coarser ones tell: half of what the next coarser one does. Its own estimate
 /// would favour the map that chance has flattered. Its own where there is no other.
-double expected_blur_sq(const Candidate& fine, std::size_t quarter, const SquareEstimate& own,
-                        Candidates candidates, Samples samples, const Measure& measure) {
-    const auto sixteenth = find_measured(candidates, samples, with_texels_over(fine, 16));
-    if (!sixteenth) return std::max(0.0, own.value);
-    return 0.5 *
-           std::max(0.0,
-                    squared_difference(samples[*sixteenth].halves, samples[quarter].halves, measure).value);
+double expected_blur_sq(const Finest& finest) {
+    return std::max(0.0, finest.coarse_blur_sq ? *finest.coarse_blur_sq / 2 : finest.blur_sq.value);
 }
 
 /// Of (Q - F)^2, see Finest. As long as it takes three sizes of texels to tell how blur falls, no more than
@@ -78,12 +73,13 @@ Finest finest_of(std::size_t fine, std::size_t quarter, Candidates candidates, S
                   .quarter = quarter,
                   .truth = extrapolated(samples[fine].halves, samples[quarter].halves),
                   .blur_sq = squared_difference(samples[quarter].halves, samples[fine].halves, measure),
+                  .coarse_blur_sq = {},
                   .truncation_sq = {},
                   .unseen_sq = {}};
     if (const auto sixteenth = find_measured(candidates, samples, with_texels_over(candidates[fine], 16))) {
-        const SquareEstimate coarse =
-            squared_difference(samples[*sixteenth].halves, samples[quarter].halves, measure);
-        finest.unseen_sq = finest.blur_sq.scaled(unseen_share(coarse.value, finest.blur_sq.value));
+        finest.coarse_blur_sq =
+            squared_difference(samples[*sixteenth].halves, samples[quarter].halves, measure).value;
+        finest.unseen_sq = finest.blur_sq.scaled(unseen_share(*finest.coarse_blur_sq, finest.blur_sq.value));
     }
     if (const auto below =
             find_measured(candidates, samples, with_basis(candidates[fine], basis_below_finest())))
@@ -111,15 +107,14 @@ std::optional<Finest> find_finest(Candidates candidates, Samples samples, const 
             continue;
         const auto quarter = find_measured(candidates, samples, with_texels_over(fine, 4));
         if (!quarter) continue;
-        const Finest found = finest_of(i, *quarter, candidates, samples, measure);
+        Finest found = finest_of(i, *quarter, candidates, samples, measure);
         const double standard_error =
             probe ? bias_sq_by(found, samples[*probe].halves, measure).standard_error()
                   : found.blur_sq.standard_error();
-        const double upper = expected_blur_sq(fine, *quarter, found.blur_sq, candidates, samples, measure) +
-                             z_of_finest * standard_error;
+        const double upper = expected_blur_sq(found) + z_of_finest * standard_error;
         if (upper >= least) continue;
         least = upper;
-        finest = found;
+        finest = std::move(found);
     }
     return finest;
 }

@@ -28,11 +28,12 @@ namespace bench::fit {
 /// to all.
 struct Finest {
     std::size_t candidate = 0;
-    std::size_t quarter = 0;       ///< the candidate with a quarter of its texels
-    Halves truth;                  ///< 2 F - Q
-    SquareEstimate blur_sq;        ///< of F by it: mean w (Q - F)^2
-    SquareEstimate truncation_sq;  ///< of F: by the harmonics beyond the last band
-    SquareEstimate unseen_sq;      ///< blur of F that 2 F - Q has as well
+    std::size_t quarter = 0;               ///< the candidate with a quarter of its texels
+    Halves truth;                          ///< 2 F - Q
+    SquareEstimate blur_sq;                ///< of F by it: mean w (Q - F)^2
+    std::optional<double> coarse_blur_sq;  ///< mean w (S - Q)^2, see above; none without such a map
+    SquareEstimate truncation_sq;          ///< of F: by the harmonics beyond the last band
+    SquareEstimate unseen_sq;              ///< blur of F that 2 F - Q has as well
 };
 
 /// Models in the candidates' order: none where nothing is known. `best` answers with the least expected

@@ -6,6 +6,10 @@
 
 namespace bench::fit {
 
+double sum_of_squares(std::span<const double> values) {
+    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
+
 double variance_of_sum(std::span<const double> values, const Tiling& tiling) {
     double largest = 0;
     for (const std::uint32_t side : {1u, 2u, 4u}) {
@@ -15,7 +19,7 @@ double variance_of_sum(std::span<const double> values, const Tiling& tiling) {
         for (std::uint32_t y = 0; y < tiling.down; ++y)
             for (std::uint32_t x = 0; x < tiling.across; ++x)
                 joined[y / side * across + x / side] += values[y * tiling.across + x];
-        largest = std::max(largest, std::inner_product(joined.begin(), joined.end(), joined.begin(), 0.0));
+        largest = std::max(largest, sum_of_squares(joined));
     }
     return largest;
 }

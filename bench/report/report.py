@@ -5,6 +5,7 @@ import json
 import sys
 from pathlib import Path
 
+from baselines import engine_of
 from claims import findings
 from comparison import LIGHT_MAP, LIGHT_MAP_FLUX, PHOTON_MAP, Comparison, count_text
 
@@ -64,24 +65,18 @@ def weight_table(comparison):
     return lines if len(lines) > 2 else []
 
 
-def picture_of(method):
-    """What its picture depends on: all engines of a photon map find the same photons."""
-    family, *settings = method.split("/")
-    return (family, *settings[1:]) if family == "photonmap" else (family, *settings)
-
-
 def images(comparison):
-    """One picture for all engines, by the first that has one."""
+    """All engines of a photon map find the same photons: one picture for all, by the first that has one."""
     lines = []
     for scene in comparison.scenes:
-        shown = {}
+        shown = set()
         for method in comparison.methods:
             name = f"images/{scene}-{method.replace('/', '-')}.png"
+            picture = method.replace(f"/{engine_of(method)}/", "/")
             measured = comparison.series(scene, method)
-            if not measured or not (comparison.folder / name).exists():
+            if not measured or picture in shown or not (comparison.folder / name).exists():
                 continue
-            if shown.setdefault(picture_of(method), method) != method:
-                continue
+            shown.add(picture)
             hits = measured[-1]["hits"]
             lines += [f"**{scene}, {method}**, {count_text(hits)} hits", "", f"![{scene}, {method}]({name})", ""]
     return lines

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <numeric>
 #include <random>
 
 #include "bench/fit/carry_on.h"
@@ -191,62 +192,86 @@ TEST(FitEstimate, RefusesToBeRelativeToNothing) {
 
 // What stands in for the truth.
 
-/// Light with detail in octaves: texels of each size miss all finer ones. The first octave beyond the finest
-/// map has `energy`, and each has `falls_by` times less than the one before, up to the last.
-class DetailedLight {
-  public:
-    DetailedLight(double energy, double falls_by) {
-        std::mt19937_64 random(3);
-        std::normal_distribution<float> normal;
-        for (int octave = -coarser; octave < finer; ++octave) {
-            const auto amplitude = static_cast<float>(std::sqrt(energy * std::pow(falls_by, -octave)));
-            std::vector<float>& values = octave_.emplace_back();
-            for (std::size_t i = 0; i < points; ++i) values.push_back(amplitude * normal(random));
+/// Squared biases by their own estimates of three maps that answer without noise, each with four times the
+/// texels of the one before.
+std::vector<double> estimated_bias_sq(const std::vector<std::vector<Rgb>>& answers) {
+    const std::vector<Candidate> candidates = {{CandidateKind::light_map, "L4/radiance", "own", 1024},
+                                               {CandidateKind::light_map, "L4/radiance", "own", 4096},
+                                               {CandidateKind::light_map, "L4/radiance", "own", 16384},
+                                               {CandidateKind::photon_share, "disc", "k", 64e-6}};
+    std::vector<PilotSample> samples(candidates.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const std::vector<Rgb>& seen = answers[i == 3 ? 1 : i];
+        samples[i].halves = {seen, seen};
+        samples[i].cost.hits = 1e6;
+    }
+    const auto estimates = estimate_errors(candidates, samples, fit_points(), 0, 1);
+    EXPECT_EQ(estimates->finest.candidate, 2u);
+    std::vector<double> bias_sq;
+    for (std::size_t i = 0; i < 3; ++i) bias_sq.push_back(estimates->model[i]->bias_sq());
+    return bias_sq;
+}
+
+/// Light of 1, so that squares are relative, with detail in octaves: texels of each size miss all finer ones.
+/// The first octave beyond the finest map has 1e-4, and each has `falls_by` times less than the one before,
+/// up to the last. Squared biases by their own estimates over what they are, from the coarsest map.
+std::vector<double> estimated_over_true_with_detail(double falls_by) {
+    constexpr int coarser = 2, finer = 3;  // octaves between the maps, and beyond the finest
+    std::mt19937_64 random(3);
+    std::normal_distribution<float> normal;
+    std::vector<std::vector<Rgb>> answers = {std::vector<Rgb>(points, Rgb(1, 1, 1))};
+    std::vector<double> energy;
+    for (int octave = -coarser; octave < finer; ++octave) {
+        const auto amplitude = static_cast<float>(std::sqrt(1e-4 * std::pow(falls_by, -octave)));
+        std::vector<Rgb> seen = answers.back();
+        double sum_sq = 0;
+        for (Rgb& value : seen) {
+            const float detail = amplitude * normal(random);
+            value += Rgb(1, 1, 1) * detail;
+            sum_sq += detail * detail;
         }
+        answers.push_back(seen);
+        energy.push_back(sum_sq / points);
     }
-
-    /// Squared bias of the finest map by its own estimate, over what it is.
-    [[nodiscard]] double estimated_over_true() const {
-        const std::vector<Candidate> candidates = {{CandidateKind::light_map, "L4/radiance", "own", 1024},
-                                                   {CandidateKind::light_map, "L4/radiance", "own", 4096},
-                                                   {CandidateKind::light_map, "L4/radiance", "own", 16384},
-                                                   {CandidateKind::photon_share, "disc", "k", 64e-6}};
-        std::vector<PilotSample> samples(candidates.size());
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            const std::vector<Rgb> answers = seen_with(i == 3 ? 1 : i);
-            samples[i].halves = {answers, answers};
-            samples[i].cost.hits = 1e6;
-        }
-        const auto estimates = estimate_errors(candidates, samples, fit_points(), 0, 1);
-        EXPECT_EQ(estimates->finest.candidate, 2u);
-        double missed = 0;
-        for (std::size_t octave = coarser; octave < octave_.size(); ++octave)
-            for (const float value : octave_[octave]) missed += value * value / points;
-        return estimates->model[2]->bias_sq() / missed;
-    }
-
-  private:
-    static constexpr int coarser = 2, finer = 3;  // octaves between the maps, and beyond the finest
-
-    /// By a map that shows so many octaves of detail; of light 1, so that squares are relative.
-    [[nodiscard]] std::vector<Rgb> seen_with(std::size_t octaves) const {
-        std::vector<Rgb> answers(points, Rgb(1, 1, 1));
-        for (std::size_t octave = 0; octave < octaves; ++octave)
-            for (std::size_t i = 0; i < points; ++i) answers[i] += Rgb(1, 1, 1) * octave_[octave][i];
-        return answers;
-    }
-
-    std::vector<std::vector<float>> octave_;
-};
+    std::vector<double> ratio = estimated_bias_sq(answers);
+    for (std::size_t i = 0; i < ratio.size(); ++i)
+        ratio[i] /= std::accumulate(energy.begin() + static_cast<std::ptrdiff_t>(i), energy.end(), 0.0);
+    return ratio;
+}
 
 TEST(FitTruth, BlurThatFallsAsItsWidthIsKnown) {
-    EXPECT_NEAR(DetailedLight(1e-4, 2).estimated_over_true(), 8.0 / 7, 0.2) << "7 of 8 parts are there";
+    const std::vector<double> ratio = estimated_over_true_with_detail(2);
+    EXPECT_NEAR(ratio[2], 8.0 / 7, 0.2) << "7 of 8 parts are there";
+    EXPECT_NEAR(ratio[1], 3.0 / 2 * 16 / 15, 0.2) << "half of what the finest map blurs is counted twice";
+    EXPECT_NEAR(ratio[0], 5.0 / 4 * 32 / 31, 0.2);
 }
 
 TEST(FitTruth, BlurThatHardlyFallsIsNotOverlooked) {
-    const double found = DetailedLight(1e-4, 1.2).estimated_over_true();
+    const double found = estimated_over_true_with_detail(1.2)[2];
     EXPECT_GT(found, 1) << "three octaves of three times what the finest map sees";
     EXPECT_LT(found, 3);
+}
+
+/// An edge in light of 1 that a box of this width blurs; the image is 1 wide.
+std::vector<Rgb> blurred_edge(float width) {
+    constexpr float step = 0.01f;
+    std::vector<Rgb> answers;
+    for (std::uint32_t i = 0; i < points; ++i) {
+        const float x = (static_cast<float>(i) + 0.5f) / points - 0.5f;
+        answers.push_back(Rgb(1, 1, 1) * (1 + step * std::clamp(x / width + 0.5f, 0.0f, 1.0f)));
+    }
+    return answers;
+}
+
+TEST(FitTruth, OfBlurredEdgesTheFinestMapMissesHalfAndCoarserOnesLittle) {
+    constexpr float width = 0.05f;
+    const std::vector<double> bias_sq =
+        estimated_bias_sq({blurred_edge(4 * width), blurred_edge(2 * width), blurred_edge(width)});
+    const double blur_sq = width / 12 * 1e-4;  // of the finest: the integral of (step (1/2 - x / width))^2
+    constexpr double of_weights = 0.03;        // 1 / (R^2 + eps), R from 1 to 1.01
+    EXPECT_NEAR(bias_sq[2] / blur_sq, 1.0 / 2, of_weights);
+    EXPECT_NEAR(bias_sq[1] / (2 * blur_sq), 3.0 / 4, of_weights);
+    EXPECT_NEAR(bias_sq[0] / (4 * blur_sq), 29.0 / 32, of_weights);
 }
 
 /// By texels that are finer and finer and each see the light through more noise; and by a photon map of much
@@ -285,7 +310,8 @@ TEST(FitTruth, IsNoFinerThanWhatIsWantedCanBeMeasuredBy) {
     EXPECT_EQ(by_itself->finest.candidate, 3u) << "little noise beside its own blur";
     EXPECT_EQ(for_the_photon_map->finest.candidate, 2u);
     EXPECT_LT(for_the_photon_map->model[4]->bias_variance, by_itself->model[4]->bias_variance);
-    EXPECT_NEAR(for_the_photon_map->model[4]->bias_sq(), 0.0025,
+    // All err in the same points by 5, 2 and 4 parts in 100: halfway between (5 - 2)^2 + (4 - 2)^2 and 5^2.
+    EXPECT_NEAR(for_the_photon_map->model[4]->bias_sq(), 0.0019,
                 z_for(alpha) * std::sqrt(for_the_photon_map->model[4]->bias_variance));
 }
 

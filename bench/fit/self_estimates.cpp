@@ -13,7 +13,7 @@ namespace {
 using Candidates = std::span<const Candidate>;
 using Samples = std::span<const PilotSample>;
 
-/// Noise is what candidates are chosen by wrongly; of the finest map's blur the extrapolation takes most off.
+/// Noise is what candidates are chosen by wrongly; of the finest map's blur the extrapolation takes some off.
 constexpr double z_of_finest = 4;
 
 /// Irradiance by normal of light with harmonics of equal strength in all bands has the power
@@ -41,46 +41,46 @@ Candidate with_texels_over(Candidate candidate, double divisor) {
     return candidate;
 }
 
-/// 2 fine - coarse, by halves.
+/// fine - (coarse - fine) / 2, by halves.
 Halves extrapolated(const Halves& fine, const Halves& coarse) {
     const auto extrapolate = [](const std::vector<common::Rgb>& f, const std::vector<common::Rgb>& c) {
         std::vector<common::Rgb> result(f.size());
-        for (std::size_t i = 0; i < f.size(); ++i) result[i] = 2.0f * f[i] - c[i];
+        for (std::size_t i = 0; i < f.size(); ++i) result[i] = f[i] - 0.5f * (c[i] - f[i]);
         return result;
     };
     return {extrapolate(fine.a, coarse.a), extrapolate(fine.b, coarse.b)};
 }
 
-/// What a map blurs, as far as coarser ones tell: half of what the next coarser one does. Its own estimate
-/// would favour the map that chance has flattered. Its own where there is no other.
-double expected_blur_sq(const Finest& finest) {
-    return std::max(0.0, finest.coarse_blur_sq ? *finest.coarse_blur_sq / 2 : finest.blur_sq.value);
-}
-
-/// Of (Q - F)^2, see Finest. As long as it takes three sizes of texels to tell how blur falls, no more than
-/// four times as much is believed.
-double unseen_share(double coarse_sq, double fine_sq) {
-    constexpr double most = 4;
-    if (fine_sq <= 0) return 0;
+/// (F - E)^2 over (Q - F)^2, see Finest. As long as it takes three sizes of texels to tell how blur falls, no
+/// more than five times as much is believed.
+double blur_share(double coarse_sq, double fine_sq) {
+    constexpr double most = 5;
+    if (fine_sq <= 0) return 1;
     const double falls_by = coarse_sq / fine_sq;
-    return std::clamp(falls_by > 1 ? 1 / (falls_by - 1) - 1 : most, 0.0, most);
+    return falls_by > 1 ? std::clamp(1 / (falls_by - 1), 1.0, most) : most;
 }
 
-/// The map with so many texels and the one with a quarter of them as what stands in for the truth.
-Finest finest_of(std::size_t fine, std::size_t quarter, Candidates candidates, Samples samples,
-                 const Measure& measure) {
+/// By this map. None without one of a quarter of its texels.
+std::optional<Finest> finest_of(std::size_t fine, Candidates candidates, Samples samples,
+                                const Measure& measure) {
+    const auto quarter = find_measured(candidates, samples, with_texels_over(candidates[fine], 4));
+    if (!quarter) return std::nullopt;
+    const SquareEstimate difference_sq =
+        squared_difference(samples[*quarter].halves, samples[fine].halves, measure);
     Finest finest{.candidate = fine,
-                  .quarter = quarter,
-                  .truth = extrapolated(samples[fine].halves, samples[quarter].halves),
-                  .blur_sq = squared_difference(samples[quarter].halves, samples[fine].halves, measure),
-                  .coarse_blur_sq = {},
+                  .truth = extrapolated(samples[fine].halves, samples[*quarter].halves),
+                  .blur_sq = difference_sq,
+                  .unseen_sq = {},
                   .truncation_sq = {},
-                  .unseen_sq = {}};
+                  .expected_blur_sq = std::max(0.0, difference_sq.value)};
     if (const auto sixteenth = find_measured(candidates, samples, with_texels_over(candidates[fine], 16))) {
-        finest.coarse_blur_sq =
-            squared_difference(samples[*sixteenth].halves, samples[quarter].halves, measure).value;
-        finest.unseen_sq = finest.blur_sq.scaled(unseen_share(*finest.coarse_blur_sq, finest.blur_sq.value));
+        const double coarse =
+            squared_difference(samples[*sixteenth].halves, samples[*quarter].halves, measure).value;
+        finest.blur_sq = difference_sq.scaled(blur_share(coarse, difference_sq.value));
+        finest.expected_blur_sq = std::max(0.0, coarse / 2);
     }
+    finest.unseen_sq = finest.blur_sq;
+    finest.unseen_sq += difference_sq.scaled(-0.25);
     if (const auto below =
             find_measured(candidates, samples, with_basis(candidates[fine], basis_below_finest())))
         finest.truncation_sq = squared_difference(samples[*below].halves, samples[fine].halves, measure)
@@ -88,10 +88,11 @@ Finest finest_of(std::size_t fine, std::size_t quarter, Candidates candidates, S
     return finest;
 }
 
+/// Mean w (C - E)^2 of any map.
 SquareEstimate bias_sq_by(const Finest& finest, const Halves& halves, const Measure& measure) {
     SquareEstimate bias_sq = squared_difference(halves, finest.truth, measure);
-    bias_sq += finest.truncation_sq;
     bias_sq += finest.unseen_sq;
+    bias_sq += finest.truncation_sq;
     return bias_sq;
 }
 
@@ -105,13 +106,11 @@ std::optional<Finest> find_finest(Candidates candidates, Samples samples, const 
         const Candidate& fine = candidates[i];
         if (fine.kind != CandidateKind::light_map || fine.basis != finest_basis() || !samples[i].present())
             continue;
-        const auto quarter = find_measured(candidates, samples, with_texels_over(fine, 4));
-        if (!quarter) continue;
-        Finest found = finest_of(i, *quarter, candidates, samples, measure);
-        const double standard_error =
-            probe ? bias_sq_by(found, samples[*probe].halves, measure).standard_error()
-                  : found.blur_sq.standard_error();
-        const double upper = expected_blur_sq(found) + z_of_finest * standard_error;
+        std::optional<Finest> found = finest_of(i, candidates, samples, measure);
+        if (!found) continue;
+        const SquareEstimate doubt =
+            probe ? bias_sq_by(*found, samples[*probe].halves, measure) : found->blur_sq;
+        const double upper = found->expected_blur_sq + z_of_finest * doubt.standard_error();
         if (upper >= least) continue;
         least = upper;
         finest = std::move(found);

@@ -9,31 +9,28 @@
 
 namespace bench::fit {
 
-/// What stands in for the truth. With F a map of so many texels that it blurs little, and not so many that
-/// its noise hides what is wanted, and Q the map with a quarter of its texels, all are measured by 2 F - Q:
-/// the blur b(h) of a map with texels of side h is taken to be halved with h, so that b(h) = Q - F at every
-/// point.
+/// What stands in for the truth E: F, a map of so many texels that it blurs little, and not so many that its
+/// noise hides what is wanted, less half of what Q blurs more, the map with a quarter of F's texels:
+/// T = F - (Q - F) / 2. What F blurs is taken to be (Q - F)^2, of which T misses three quarters: these are
+/// added to all that is measured by T.
 ///
-/// That is exact for blur in proportion to h. Of an edge that a box of width h blurs, a map with twice F's
-/// width gets exactly its squared blur, one with four times the width 9/8 of it; nearest texels and small
-/// discs are of that kind. Texels that show their own mean alone have Q - F and F - E orthogonal (one is
-/// constant on each of F's texels, the other has the mean zero there): F gets B, which is exact, Q gets 4 B
-/// in place of 2 B, and m times the width (m + 2) B in place of m B. Where the light is smooth blur falls
-/// with the square of h, and too much is taken off: F gets 9 B. So what is not exact is too large, and the
-/// less so the coarser a candidate is than F.
+/// T is halfway between two cases, of which light has something each. Texels that show their own mean alone,
+/// one in another, are constant on each of F's texels, where F - E has the mean zero: of such maps F itself
+/// tells all but its own blur. Maps that blur an edge just as F does, only wider, are told exactly by
+/// 2 F - Q. With D = (Q - F)^2, 2 D and 4 D are the squared blur of a map with twice F's width in these
+/// cases, 4 D and 8 D of four times, 8 D and 16 D of eight times: by T they get 3 D, 5 D and 7.2 D, 9 D
+/// and 15.4 D. F itself gets D, which is right for the first and half of it for the second.
 ///
-/// But for light with detail of all sizes, whose blur hardly falls with h. S with a sixteenth of F's texels
-/// tells it: with squared blur in proportion to h^q, (S - Q)^2 is R = 2^q times (Q - F)^2, and F's own is
-/// (Q - F)^2 / (R - 1). What that has more than (Q - F)^2 nobody sees who is measured by 2 F - Q: it is added
-/// to all.
+/// But for light with detail of all sizes, whose blur hardly falls with the side h of a texel. S with a
+/// sixteenth of F's texels tells it: with squared blur in proportion to h^q, (S - Q)^2 is R = 2^q times
+/// (Q - F)^2, and F's own is (Q - F)^2 / (R - 1) where that is more than (Q - F)^2.
 struct Finest {
     std::size_t candidate = 0;
-    std::size_t quarter = 0;               ///< the candidate with a quarter of its texels
-    Halves truth;                          ///< 2 F - Q
-    SquareEstimate blur_sq;                ///< of F by it: mean w (Q - F)^2
-    std::optional<double> coarse_blur_sq;  ///< mean w (S - Q)^2, see above; none without such a map
-    SquareEstimate truncation_sq;          ///< of F: by the harmonics beyond the last band
-    SquareEstimate unseen_sq;              ///< blur of F that 2 F - Q has as well
+    Halves truth;                  ///< T
+    SquareEstimate blur_sq;        ///< of F: mean w (F - E)^2, by the size of its texels
+    SquareEstimate unseen_sq;      ///< what of it is not in (F - T)^2
+    SquareEstimate truncation_sq;  ///< of F: by the harmonics beyond the last band
+    double expected_blur_sq = 0;   ///< of F by (S - Q)^2: its own would favour the map that chance flatters
 };
 
 /// Models in the candidates' order: none where nothing is known. `best` answers with the least expected

@@ -105,6 +105,7 @@ Json picture_as_json(const fit::Explanation& explanation, const Json& fit) {
     return {{"context", fit["context"]},
             {"scene", fit["scene"]},
             {"target", fit["target"]},
+            {"metric", fit["metric"]},
             {"seed", fit["seed"]},
             {"choice", entry[entry["reached"].get<bool>() ? "choice" : "nearest"]},
             {"width", explanation.width},

@@ -51,13 +51,16 @@ Halves extrapolated(const Halves& fine, const Halves& coarse) {
     return {extrapolate(fine.a, coarse.a), extrapolate(fine.b, coarse.b)};
 }
 
-/// (F - E)^2 over (Q - F)^2, see Finest. As long as it takes three sizes of texels to tell how blur falls, no
+/// (F - E)^2 over (Q - F)^2 where blur falls as its width does, see Finest.
+constexpr double usual_blur_share = 1.5;
+
+/// The same whatever it does. As long as it takes three sizes of texels to tell how blur falls, no
 /// more than five times as much is believed.
 double blur_share(double coarse_sq, double fine_sq) {
     constexpr double most = 5;
-    if (fine_sq <= 0) return 1;
+    if (fine_sq <= 0) return usual_blur_share;
     const double falls_by = coarse_sq / fine_sq;
-    return falls_by > 1 ? std::clamp(1 / (falls_by - 1), 1.0, most) : most;
+    return falls_by > 1 ? std::clamp(1 / (falls_by - 1), usual_blur_share, most) : most;
 }
 
 /// By this map. None without one of a quarter of its texels.
@@ -69,15 +72,15 @@ std::optional<Finest> finest_of(std::size_t fine, Candidates candidates, Samples
         squared_difference(samples[*quarter].halves, samples[fine].halves, measure);
     Finest finest{.candidate = fine,
                   .truth = extrapolated(samples[fine].halves, samples[*quarter].halves),
-                  .blur_sq = difference_sq,
+                  .blur_sq = difference_sq.scaled(usual_blur_share),
                   .unseen_sq = {},
                   .truncation_sq = {},
-                  .expected_blur_sq = std::max(0.0, difference_sq.value)};
+                  .expected_blur_sq = usual_blur_share * std::max(0.0, difference_sq.value)};
     if (const auto sixteenth = find_measured(candidates, samples, with_texels_over(candidates[fine], 16))) {
         const double coarse =
             squared_difference(samples[*sixteenth].halves, samples[*quarter].halves, measure).value;
         finest.blur_sq = difference_sq.scaled(blur_share(coarse, difference_sq.value));
-        finest.expected_blur_sq = std::max(0.0, coarse / 2);
+        finest.expected_blur_sq = usual_blur_share * std::max(0.0, coarse / 2);
     }
     finest.unseen_sq = finest.blur_sq;
     finest.unseen_sq += difference_sq.scaled(-0.25);

@@ -11,19 +11,19 @@ namespace bench::fit {
 
 /// What stands in for the truth E: F, a map of so many texels that it blurs little, and not so many that its
 /// noise hides what is wanted, less half of what Q blurs more, the map with a quarter of F's texels:
-/// T = F - (Q - F) / 2. What F blurs is taken to be (Q - F)^2, of which T misses three quarters: these are
-/// added to all that is measured by T.
+/// T = F - (Q - F) / 2. What F blurs is taken to be 3/2 D, D = (Q - F)^2. (F - T)^2 has D / 4 of it, what is
+/// missing is added to all that is measured by T.
 ///
-/// T is halfway between two cases, of which light has something each. Texels that show their own mean alone,
-/// one in another, are constant on each of F's texels, where F - E has the mean zero: of such maps F itself
-/// tells all but its own blur. Maps that blur an edge just as F does, only wider, are told exactly by
-/// 2 F - Q. With D = (Q - F)^2, 2 D and 4 D are the squared blur of a map with twice F's width in these
-/// cases, 4 D and 8 D of four times, 8 D and 16 D of eight times: by T they get 3 D, 5 D and 7.2 D, 9 D
-/// and 15.4 D. F itself gets D, which is right for the first and half of it for the second.
+/// All this is halfway between two cases, of which light has something each. Texels that show their own mean
+/// alone, one in another, are constant on each of F's texels, where F - E has the mean zero: F blurs D, and
+/// of others F itself tells all but that. Maps that blur an edge just as F does, only wider, are told exactly
+/// by 2 F - Q, and F blurs 2 D. Maps with 1, 2, 4 and 8 times F's width blur 1, 2, 4 and 8 D in the first
+/// case and get 1.5, 3.5, 5.5 and 9.5 D; they blur 2, 4, 8 and 16 D in the second and get 1.5, 3.5, 7.8
+/// and 15.9 D.
 ///
 /// But for light with detail of all sizes, whose blur hardly falls with the side h of a texel. S with a
 /// sixteenth of F's texels tells it: with squared blur in proportion to h^q, (S - Q)^2 is R = 2^q times
-/// (Q - F)^2, and F's own is (Q - F)^2 / (R - 1) where that is more than (Q - F)^2.
+/// D, and F's own is D / (R - 1) where that is more.
 struct Finest {
     std::size_t candidate = 0;
     Halves truth;                  ///< T

@@ -60,8 +60,9 @@ def draw_widths(figure, axes, widths):
     bar = figure.colorbar(shown, ax=axes, orientation="horizontal", fraction=0.06, pad=0.03)
     digits = (1, 2, 5) if high > 3 * low else (1, 1.5, 2, 3, 4, 5, 6, 7, 8)
     ticks = [digit * 10.0**power for power in range(-8, 9) for digit in digits]
-    bar.ax.xaxis.set_major_locator(FixedLocator([tick for tick in ticks if low <= tick <= high]))
-    bar.ax.xaxis.set_major_formatter(FuncFormatter(lambda width, _: f"{width:g}"))
+    within = [tick for tick in ticks if low <= tick <= high] or [low, high]
+    bar.ax.xaxis.set_major_locator(FixedLocator(within))
+    bar.ax.xaxis.set_major_formatter(FuncFormatter(lambda width, _: f"{width:.3g}"))
     bar.ax.xaxis.set_minor_locator(NullLocator())
     bar.ax.tick_params(labelsize=SMALL + 0.5)
     axes.set_title("Width of a block, scene units", fontsize=9)
@@ -75,7 +76,9 @@ def widths_range(seen):
 
 def chart(document):
     choice = document["choice"]
-    title = f"{document['scene']}, target {100 * document['target']:g} %: {choice['method']}"
+    target = document["target"]
+    wanted = f"a FLIP of {target:g}" if document["metric"] == "FLIP" else f"{100 * target:g} %"
+    title = f"{document['scene']}, target {wanted}: {choice['method']}"
     words = (
         f"{choice['hits']:.3g} hits, estimated relative RMS error {100 * choice['error']:.3g} %, {choice['bytes'] / 1e6:.3g} MB. "
         f"White: no light map. Seed {document['seed']}; {machine_text(document['context'])}"

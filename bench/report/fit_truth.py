@@ -4,7 +4,7 @@
 
 STUDY is the folder of a `shlmbench study` with two seeds or more; of its methods, FINE is what is to stand in for the
 truth, F, and COARSE one with a quarter of its texels, Q. Prints for each method C with the most hits its squared bias
-by the reference, by F (what F blurs, (Q - F)^2, added), by 2 F - Q, and halfway, as bench/fit/self_estimates.h has it.
+by the reference, by F (what F blurs, (Q - F)^2, added), by 2 F - Q, and as bench/fit/self_estimates.h has it.
 All are relative, mean w (C - E)^2; noise is in none of them, as only answers of different seeds are multiplied.
 """
 
@@ -26,14 +26,14 @@ def difference_sq(answers, others, weight):
 
 
 def rows_of(scene, runs, fine, coarse):
-    """(method, by the reference, by F, by 2 F - Q, halfway); `runs`: (Run, answers) by method."""
+    """(method, by the reference, by F, by 2 F - Q, by fit); `runs`: (Run, answers) by method."""
     f, q = runs[fine][1], runs[coarse][1]
     blur_sq = difference_sq(q, f, scene.weight)
     for method, (run, answers) in runs.items():
         by_fine = difference_sq(answers, f, scene.weight) + blur_sq
         by_extrapolated = difference_sq(answers, 2 * f - q, scene.weight)
         truly = split_of(scene, answers, run.seeds).bias_sq
-        yield method, truly, by_fine, by_extrapolated, (by_fine + by_extrapolated) / 2
+        yield method, truly, by_fine, by_extrapolated, (by_fine + by_extrapolated + blur_sq) / 2
 
 
 def runs_with_most_hits(study, name):
@@ -53,7 +53,7 @@ def table(study, name, fine, coarse):
             raise StudyError(f"the study has no {method} for {name}")
     if len({run.seeds for run, _ in runs.values()}) > 1 or len(runs[fine][0].seeds) < 2:
         raise StudyError("all methods need the same seeds, two of them at least")
-    lines = ["| method | by the reference | by F, and its blur | by 2 F - Q | halfway |", "| --- | --- | --- | --- | --- |"]
+    lines = ["| method | by the reference | by F, and its blur | by 2 F - Q | by fit |", "| --- | --- | --- | --- | --- |"]
     for method, *squares in rows_of(study.scenes[name], runs, fine, coarse):
         lines.append(" | ".join([f"| {method}", *(f"{1e4 * square:.1f}" for square in squares)]) + " |")
     return "\n".join(lines)

@@ -14,15 +14,14 @@ from pathlib import Path
 import numpy as np
 
 from study_data import Study, StudyError
-from study_errors import split_of
+from study_errors import mean_products, split_of
 
 
 def difference_sq(answers, others, weight):
     """Mean w (what answers converge to - what the others do)^2; both seeds x points x 3, of the same photons."""
-    difference = answers - others
-    count = len(difference)
-    pairs = difference.sum(axis=0) ** 2 - (difference**2).sum(axis=0)
-    return float(np.mean(weight * pairs)) / (count * (count - 1))
+    products = mean_products(answers, others, weight)
+    count = len(products)
+    return float(products.sum() - np.trace(products)) / (count * (count - 1))
 
 
 def rows_of(scene, runs, fine, coarse):

@@ -62,7 +62,7 @@ std::string as_text(const Json& document, int indent) {
 /// Of several goals each has its own, such as 5-time.
 std::filesystem::path folder_of(const FitPlan& plan, const fit::FitGoal& goal) {
     if (plan.goals.size() == 1) return *plan.out;
-    return *plan.out / fmt::format("{:g}-{}", 100 * goal.target, goal.least_bytes ? "bytes" : "time");
+    return *plan.out / fmt::format("{:g}-{}", 100 * goal.target, goal.least());
 }
 
 void write(const std::filesystem::path& folder, const FitDocuments& documents) {

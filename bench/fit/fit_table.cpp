@@ -179,7 +179,7 @@ Json fit_as_json(const FitPlan& plan, const fit::FitGoal& goal, const common::Sc
                      {"fingerprint", common::fingerprint(scene)},
                      {"target", goal.target},
                      {"metric", goal.metric == fit::Metric::flip ? "FLIP" : "relative RMS"},
-                     {"least", goal.least_bytes ? "bytes" : "time"},
+                     {"least", goal.least()},
                      {"max_hits", goal.max_hits},
                      {"seed", plan.seed},
                      {"pilot", pilot_as_json(plan, result)},

@@ -26,6 +26,8 @@ struct FitGoal {
     double budget_bytes = std::numeric_limits<double>::infinity();
     double budget_seconds = std::numeric_limits<double>::infinity();
     double max_hits = 0;
+
+    [[nodiscard]] const char* least() const { return least_bytes ? "bytes" : "time"; }
 };
 
 /// Of the margin that a choice by this model has.

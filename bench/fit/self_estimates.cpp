@@ -70,18 +70,15 @@ std::optional<Finest> finest_of(std::size_t fine, Candidates candidates, Samples
     if (!quarter) return std::nullopt;
     const SquareEstimate difference_sq =
         squared_difference(samples[*quarter].halves, samples[fine].halves, measure);
+    double coarse_sq = 2 * difference_sq.value;  // as if blur fell as its width does
+    if (const auto sixteenth = find_measured(candidates, samples, with_texels_over(candidates[fine], 16)))
+        coarse_sq = squared_difference(samples[*sixteenth].halves, samples[*quarter].halves, measure).value;
     Finest finest{.candidate = fine,
                   .truth = extrapolated(samples[fine].halves, samples[*quarter].halves),
-                  .blur_sq = difference_sq.scaled(usual_blur_share),
+                  .blur_sq = difference_sq.scaled(blur_share(coarse_sq, difference_sq.value)),
                   .unseen_sq = {},
                   .truncation_sq = {},
-                  .expected_blur_sq = usual_blur_share * std::max(0.0, difference_sq.value)};
-    if (const auto sixteenth = find_measured(candidates, samples, with_texels_over(candidates[fine], 16))) {
-        const double coarse =
-            squared_difference(samples[*sixteenth].halves, samples[*quarter].halves, measure).value;
-        finest.blur_sq = difference_sq.scaled(blur_share(coarse, difference_sq.value));
-        finest.expected_blur_sq = usual_blur_share * std::max(0.0, coarse / 2);
-    }
+                  .expected_blur_sq = usual_blur_share * std::max(0.0, coarse_sq / 2)};
     finest.unseen_sq = finest.blur_sq;
     finest.unseen_sq += difference_sq.scaled(-0.25);
     if (const auto below =

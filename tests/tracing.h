@@ -5,6 +5,7 @@
 
 #include "bench/stability/traced_hits.h"
 #include "common/core/threads.h"
+#include "common/tracer/trace_photons.h"
 #include "shlm/quantum.h"
 #include "tests/scene_builder.h"
 

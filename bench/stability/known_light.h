@@ -61,39 +61,27 @@ template <common::MapSink Sink>
     return std::move(sink).finish(1.0f);
 }
 
-[[nodiscard]] inline auto photon_map_of(const common::Scene& scene, const common::HitBatch& hits,
-                                        const photonmap::GatherSettings& gather) {
-    return map_of(photonmap::FlannPhotonSink(scene, gather), hits);
-}
+[[nodiscard]] photonmap::FlannPhotonSink::Map photon_map_of(const common::Scene& scene,
+                                                            const common::HitBatch& hits,
+                                                            const photonmap::GatherSettings& gather);
 
 /// All photons within `radius`, world units.
-[[nodiscard]] inline photonmap::GatherSettings within(const common::Scene& scene, double radius) {
-    return {.selection = photonmap::FixedRadius{radius / scene.diagonal()}};
-}
+[[nodiscard]] photonmap::GatherSettings within(const common::Scene& scene, double radius);
 
 /// The k nearest photons within `max_radius`, world units.
-[[nodiscard]] inline photonmap::GatherSettings nearest(std::size_t k, double max_radius) {
-    return {.selection = photonmap::NearestPhotons{k}, .max_radius = static_cast<float>(max_radius)};
-}
+[[nodiscard]] photonmap::GatherSettings nearest(std::size_t k, double max_radius);
 
-[[nodiscard]] inline shlm::PreparedTexels texels_of(const common::Scene& scene, std::size_t texels) {
-    return shlm::PreparedTexels(scene, shlm::find_lightmap_uv(scene), texels);
-}
+[[nodiscard]] shlm::PreparedTexels texels_of(const common::Scene& scene, std::size_t texels);
 
 /// Units for hits whose brightest has all the light.
-[[nodiscard]] inline shlm::Quantum quantum_of(const common::HitBatch& hits) {
-    float brightest = 0;
-    for (const common::Rgb& flux : hits.flux) brightest = std::max(brightest, common::max_component(flux));
-    return shlm::Quantum({brightest, brightest, brightest});
-}
+[[nodiscard]] shlm::Quantum quantum_of(const common::HitBatch& hits);
 
 /// `texels` must outlive the map. Each texel shows its own light, whatever few hits it has, unless
-/// `least_hits` says otherwise.
+/// `least_hits` says otherwise. Made in known_light.cpp, once for each model that is named there.
 template <class Model = shlm::PaperModel>
-[[nodiscard]] auto light_map_of(const shlm::PreparedTexels& texels, const common::HitBatch& hits,
-                                const shlm::Gather& gather, std::uint64_t least_hits = 0) {
-    return map_of(shlm::Sink<Model>(texels, gather, quantum_of(hits), least_hits), hits);
-}
+[[nodiscard]] shlm::HarmonicMap<Model> light_map_of(const shlm::PreparedTexels& texels,
+                                                    const common::HitBatch& hits, const shlm::Gather& gather,
+                                                    std::uint64_t least_hits = 0);
 
 /// Mean over the channels and the points.
 template <common::IrradianceEstimator Map>

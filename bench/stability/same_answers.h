@@ -1,8 +1,8 @@
 // Whether maps answer the same to the bit after everything was scaled by a power of two.
 #pragma once
 
+#include "bench/stability/known_light.h"
 #include "bench/stability/stability_case.h"
-#include "bench/stability/traced_light.h"
 
 namespace bench {
 
@@ -13,45 +13,16 @@ inline constexpr std::array answering = {"photon map, flann", "photon map, compa
 
 /// Asks maps of these hits, in a box made of quads, at 16 places on each wall; multiplies what they say by
 /// `factor`. `max_radius`, world units, is that of gathers of 50 photons.
-[[nodiscard]] inline Answers answers_in_box(const common::Scene& box, const shlm::PreparedTexels& texels,
-                                            const common::HitBatch& hits, double max_radius, float factor,
-                                            Generator generator) {
-    std::vector<common::SurfacePoint> points;
-    for (std::uint32_t i = 0; i < 6 * 16; ++i) {
-        const float s = uniform(generator), t = uniform(generator);
-        points.push_back(scene_builder::front_of(box, scene_builder::on_quad(2 * (i % 6), s, t)));
-    }
-    const auto ask = [&](const auto& map) {
-        std::vector<float> answers;
-        for (const common::SurfacePoint& point : points) answers.push_back(map.irradiance(point).x * factor);
-        return answers;
-    };
-    const auto gather = nearest(50, max_radius);
-    return {ask(photon_map_of(box, hits, gather)),
-            ask(map_of(photonmap::CompactPhotonSink(box, gather), hits)),
-            ask(light_map_of(texels, hits, shlm::OwnTexel{})),
-            ask(light_map_of(texels, hits, shlm::NearestTexels{4}))};
-}
+[[nodiscard]] Answers answers_in_box(const common::Scene& box, const shlm::PreparedTexels& texels,
+                                     const common::HitBatch& hits, double max_radius, float factor,
+                                     Generator generator);
 
 /// A curve for each way of answering, with 0 predicted.
-[[nodiscard]] inline std::vector<StabilityCurve> curves_of_differences(std::span<const double> places,
-                                                                       const std::string& suffix,
-                                                                       Expected expected) {
-    std::vector<StabilityCurve> curves;
-    for (const char* who : answering)
-        curves.push_back(curve_at(
-            who + suffix, places, [](double) { return 0.0; }, expected));
-    return curves;
-}
+[[nodiscard]] std::vector<StabilityCurve> curves_of_differences(std::span<const double> places,
+                                                                const std::string& suffix, Expected expected);
 
 /// Part of the answers that are not the same, for each way of answering, at one point of its curve.
-inline void measure_differences(std::span<StabilityCurve> curves, std::size_t point, const Answers& a,
-                                const Answers& b) {
-    for (std::size_t way = 0; way < a.size(); ++way) {
-        double different = 0;
-        for (std::size_t i = 0; i < a[way].size(); ++i) different += !(a[way][i] == b[way][i]);
-        curves[way].points[point].measured.push_back(different / static_cast<double>(a[way].size()));
-    }
-}
+void measure_differences(std::span<StabilityCurve> curves, std::size_t point, const Answers& a,
+                         const Answers& b);
 
 }  // namespace bench

@@ -1,8 +1,9 @@
 // Hits that the tracer made.
 #pragma once
 
-#include "common/tracer/recording_sink.h"
-#include "common/tracer/trace_photons.h"
+#include "common/scene/scene.h"
+#include "common/tracer/hit_batch.h"
+#include "common/tracer/trace_report.h"
 
 namespace bench {
 
@@ -12,13 +13,6 @@ struct TracedHits {
 };
 
 /// The hits of the run with this seed, as far as `target` says.
-[[nodiscard]] inline TracedHits traced(const common::Scene& scene, std::uint64_t seed,
-                                       common::TraceTarget target) {
-    const common::RayScene rays(scene);
-    const common::PhotonSource source(scene);
-    common::RecordingSink sink;
-    const common::TraceReport report = common::trace_photons(rays, source, seed, target, sink);
-    return {sink.hits(), report};
-}
+[[nodiscard]] TracedHits traced(const common::Scene& scene, std::uint64_t seed, common::TraceTarget target);
 
 }  // namespace bench

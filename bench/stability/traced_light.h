@@ -7,13 +7,7 @@
 namespace bench {
 
 /// Flux of all photons that a photon map takes, as HitBatch::flux.
-[[nodiscard]] inline double light_in_photons(const common::HitBatch& hits) {
-    photonmap::PhotonStorage storage;
-    storage.append(std::span(&hits, 1));
-    double sum = 0;
-    for (std::size_t i = 0; i < storage.size(); ++i) sum += common::mean_component(storage[i].flux);
-    return sum;
-}
+[[nodiscard]] double light_in_photons(const common::HitBatch& hits);
 
 /// Irradiance times area over all texels of a light map, as HitBatch::flux.
 template <shlm::ShWeight Weight = shlm::ShWeight::normalised>
@@ -27,10 +21,6 @@ template <shlm::ShWeight Weight = shlm::ShWeight::normalised>
 }
 
 /// A closed box of side 2 around the origin with walls of this albedo and a point light of 4 pi W inside.
-[[nodiscard]] inline common::Scene lit_box(float albedo) {
-    common::Scene scene = scene_builder::closed_box(scene_builder::diffuse({albedo, albedo, albedo}));
-    scene.point_light.push_back({{0.1f, 0.2f, 0.3f}, {1, 1, 1}});
-    return scene;
-}
+[[nodiscard]] common::Scene lit_box(float albedo);
 
 }  // namespace bench

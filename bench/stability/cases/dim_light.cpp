@@ -1,5 +1,6 @@
 // 17. Very dim and very bright scenes.
 #include "bench/stability/same_answers.h"
+#include "bench/stability/traced_light.h"
 
 namespace bench {
 namespace {

@@ -1,5 +1,6 @@
 // 18. Very small and very large scenes.
 #include "bench/stability/same_answers.h"
+#include "bench/stability/traced_light.h"
 
 namespace bench {
 namespace {

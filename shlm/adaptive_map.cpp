@@ -41,8 +41,8 @@ std::vector<float> kept_numbers(BlockKind kind, const LightBlock& block) {
 /// A face's blocks before they are put together with those of the others.
 struct AdaptiveMap::Draft {
     struct Block {
-        BlockKind kind;
-        Vec3 normal;
+        BlockKind kind = BlockKind::uncovered;
+        Vec3 normal{0, 0, 0};
         std::vector<float> number;
     };
     RegionFace face;
@@ -75,19 +75,23 @@ class AdaptiveMap::Drawing {
         const std::uint8_t chosen = inside ? choice_.of_block[pyramid_.index(level, x, y)]
                                            : static_cast<std::uint8_t>(BlockKind::uncovered);
         if (chosen != divided) {
-            const auto kind = static_cast<BlockKind>(chosen);
-            draft_.node[node] = block_node(kind, draft_.block.size());
-            draft_.block.push_back({kind, {}, {}});
-            if (kind == BlockKind::uncovered) return;
-            const LightBlock& block = pyramid_.block(level, x, y);
-            draft_.block.back().normal = block.surface.unit_normal();
-            draft_.block.back().number = kept_numbers(kind, block);
+            Draft::Block kept = inside ? block_of(static_cast<BlockKind>(chosen), pyramid_.block(level, x, y))
+                                       : Draft::Block();
+            draft_.node[node] = block_node(kept.kind, draft_.block.size());
+            draft_.block.push_back(std::move(kept));
             return;
         }
         const std::size_t first = draft_.node.size();
         draft_.node[node] = static_cast<Node>(first);
         draft_.node.resize(first + 4);
         for (std::uint32_t i = 0; i < 4; ++i) draw(first + i, level - 1, 2 * x + i % 2, 2 * y + i / 2);
+    }
+
+    /// Uncovered, too, where it looks nowhere as its texels' normals cancel.
+    static Draft::Block block_of(BlockKind kind, const LightBlock& block) {
+        const Vec3 normal = block.surface.unit_normal();
+        if (kind == BlockKind::uncovered || normal == Vec3(0, 0, 0)) return {};
+        return {kind, normal, kept_numbers(kind, block)};
     }
 
     const LightPyramid& pyramid_;

@@ -198,15 +198,17 @@ std::vector<double> noise_ratios(const LightPyramid& pyramid) {
                 const double mean = common::mean_component(block.light().surface);
                 double spread = 0;
                 bool alike = mean > 0;
+                int parts = 0;  // fewer at the far edges of some regions
                 pyramid.for_children(level, x, y, [&](auto cx, auto cy) {
                     const LightBlock& part = pyramid.block(level - 1, cx, cy);
+                    ++parts;
                     alike = alike && part.surface.area > 0.2 * block.surface.area;
                     const double difference = common::mean_component(part.light().surface) - mean;
                     spread += difference * difference / 4;
                 });
                 // Four independent parts of n / 4 hits: their variance is 4 / n, and 3 / 4 of it is left
                 // around their own mean.
-                if (alike) ratios.push_back(spread / (mean * mean) * block.hits / 3);
+                if (alike && parts == 4) ratios.push_back(spread / (mean * mean) * block.hits / 3);
             }
     return ratios;
 }

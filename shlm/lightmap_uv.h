@@ -23,8 +23,8 @@ struct LightmapUv {
 
 /// Looks at every instance with a diffuse material. Instances without one get no set: nothing is stored on
 /// them. TEXCOORD_1 is taken as it is; TEXCOORD_0 only if it lies in the unit square and does not overlap,
-/// since most files use it for repeating textures. Overlap is found on a grid of sample points, 512 x 512 for
-/// each instance.
+/// since most files use it for repeating textures. Overlap is found on a grid of sample points, 256 x 256 to
+/// 512 x 512 for each instance, by its triangles.
 [[nodiscard]] std::vector<LightmapUv> find_lightmap_uv(const common::Scene& scene);
 
 /// One line for each kind of trouble: missing or overlapping coordinates, with the area and what to do about

@@ -20,7 +20,7 @@ struct RegionSurface {
     std::vector<double> area_before;  ///< up to and with each triangle
 };
 
-/// Sorted by their first texels, as regions are.
+/// One of each region.
 std::vector<RegionSurface> surfaces_of(const Scene& scene, const TexelLayout& layout) {
     std::vector<RegionSurface> surfaces(layout.regions().size());
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) {

@@ -23,7 +23,7 @@ struct PackedFace {
 
     PackedFace() = default;
     PackedFace(const TexelFace& face, float largest_area) {
-        if (face.area == 0) return;
+        if (face.area == 0 || face.normal == common::Vec3(0, 0, 0)) return;  // faces no one
         normal = pack_normal(face.normal);
         area = static_cast<std::uint16_t>(std::max(std::lround(face.area / largest_area * 0xffff), 1l));
     }
@@ -55,7 +55,7 @@ struct Texel {
 };
 
 /// W/m^2, a power of two: so large that no number of light in these units is beyond what a half can hold, and
-/// as halves have 40 binary orders of magnitude, what is 1e-9 of the brightest still has all 11 bits.
+/// as halves have 40 binary orders of magnitude, what is 4e-9 of the brightest still has all 11 bits.
 /// `largest`: magnitude of the numbers.
 [[nodiscard]] inline float unit_for_halves(float largest) {
     if (largest == 0) return 1;

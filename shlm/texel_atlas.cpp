@@ -4,7 +4,6 @@ namespace shlm {
 
 TexelAtlas::TexelAtlas(const TexelLayout& layout) {
     for (const TexelRegion& region : layout.regions()) {
-        if (region.width == 0) continue;
         rectangles_.push_back({region.first_texel, region.width, region.height});
         if (region.both_faces)
             rectangles_.push_back({region.first_texel_of(true), region.width, region.height});

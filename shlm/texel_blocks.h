@@ -31,7 +31,6 @@ class TexelBlocks {
         const std::span<const TexelRegion> regions = texels_.layout.regions();
         tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
             const TexelRegion& region = regions[i];
-            if (region.texels_per_face() == 0) return;
             const std::uint32_t all = std::bit_ceil(std::max(region.width, region.height));
             const std::span geometry(texels_.geometry);
             const double width = texel_width(geometry.subspan(region.first_texel, region.texels_per_face()));

@@ -9,9 +9,10 @@ namespace shlm {
 
 /// The part of the surface that lies in one texel, summed over all triangles that reach into it.
 struct TexelGeometry {
-    float area = 0;       ///< world units squared; 0: no triangle covers the texel
-    common::Vec3 center;  ///< centroid of the covered part
-    common::Vec3 normal;  ///< unit, mean over the covered part, out of the texel's face
+    float area = 0;                ///< world units squared; 0: no triangle covers the texel
+    common::Vec3 center{0, 0, 0};  ///< centroid of the covered part
+    common::Vec3 normal{0, 0, 0};  ///< mean over the covered part, out of the texel's face: unit, or 0 where
+                                   ///< what is covered looks both ways
 };
 
 /// One entry per texel of the layout. Every triangle is clipped against every texel it touches, so that the

@@ -20,9 +20,9 @@ struct TexelPlace {
     [[nodiscard]] std::uint32_t row(const TexelRegion& in) const { return texel_along(at.y, in.height); }
 };
 
-/// Where all regions have planes, a point's position says where it is: 36 bytes per region and 4 per
-/// triangle. Otherwise its triangle's corners do: 16 bytes per triangle. They are rounded to 2^-16 of their
-/// region's width and height, a hundredth of a texel in regions of 655.
+/// Where all regions have planes, a point's position says where it is: 52 bytes per region and 4 per
+/// triangle. Otherwise its triangle's corners do: 16 bytes per region and per triangle. They are rounded to
+/// 2^-16 of their region's width and height, a hundredth of a texel in regions of 655.
 class TexelPlaces {
   public:
     explicit TexelPlaces(const TexelLayout& layout);

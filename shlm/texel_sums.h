@@ -101,7 +101,6 @@ class TexelSums {
     void add_hits(std::size_t texel, std::uint64_t hits) { drained_[texel].hits += hits; }
 
     [[nodiscard]] std::size_t size() const { return recent_.size(); }
-    [[nodiscard]] const Quantum& quantum() const { return quantum_; }
 
     [[nodiscard]] std::size_t bytes() const {
         return recent_.capacity() * sizeof(RecentSum) + drained_.capacity() * sizeof(drained_[0]);

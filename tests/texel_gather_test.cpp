@@ -446,4 +446,10 @@ TEST(NearestTexels, HoldCoveredTexelsOnlyWithTheirCentresAndIndex) {
     EXPECT_NEAR(static_cast<double>(map.bytes() - own), index, 0.02 * index);
 }
 
+TEST(StoredTexel, OneThatLooksNowhereIsFacedByNobodyInHalvesEither) {
+    const shlm::TexelFace nowhere{Vec3(0, 0, 0), 1}, up{Vec3(0, 0, 1), 1};
+    EXPECT_EQ(shlm::PackedFace(nowhere, 1).unpacked().area, 0);
+    EXPECT_EQ(shlm::PackedFace(up, 1).unpacked().area, 0xffff);
+}
+
 }  // namespace

@@ -13,7 +13,7 @@ namespace bench::fit {
 struct Proposal {
     std::size_t candidate = 0;
     double hits = 0;
-    double expected = 0;  ///< the metric, with so many hits
+    std::optional<double> expected;  ///< the metric; none where no number of hits reaches the target
     ErrorModel model;
     FitCost cost;
 };

@@ -17,8 +17,8 @@ struct FitCost {
 /// as its hits do; a light map's do not. Times are measured and differ from run to run; bytes do not.
 [[nodiscard]] FitCost cost_at(const Candidate& candidate, const PilotCost& pilot, double hits);
 
-/// Costs in the candidates' order. Of a light map that was not measured: those of the next coarser one of its
-/// chain, with as many more bytes as it has more texels.
+/// Costs in the candidates' order. Of one that was not measured: those of the next coarser one of its chain,
+/// a light map's with as many more bytes and seconds of building as it has more texels.
 [[nodiscard]] std::vector<std::optional<PilotCost>> costs_of(std::span<const Candidate> candidates,
                                                              std::span<const PilotSample> samples);
 

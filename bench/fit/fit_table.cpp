@@ -37,17 +37,18 @@ Json proposal_as_json(const fit::FitResult& result, const fit::Proposal& proposa
     const fit::Candidate& candidate = result.candidates[proposal.candidate];
     const fit::ErrorModel& model = proposal.model;
     const double error_sq = model.error_sq(proposal.hits);
-    return {{"method", candidate.name(static_cast<std::uint64_t>(proposal.hits))},
-            {"hits", static_cast<std::uint64_t>(proposal.hits)},
-            {"error", std::sqrt(error_sq)},
-            {"noise", std::sqrt(error_sq - model.bias_sq())},
-            {"blur", std::sqrt(model.blur_sq)},
-            {"truncation", std::sqrt(model.truncation_sq)},
-            {"bound", std::sqrt(error_sq + z * model.deviation(proposal.hits))},
-            {"expected", proposal.expected},
-            {"seconds", proposal.cost.seconds},
-            {"bytes", proposal.cost.bytes},
-            {"measured", static_cast<bool>(result.estimates.measured[proposal.candidate])}};
+    Json row = {{"method", candidate.name(static_cast<std::uint64_t>(proposal.hits))},
+                {"hits", static_cast<std::uint64_t>(proposal.hits)},
+                {"error", std::sqrt(error_sq)},
+                {"noise", std::sqrt(error_sq - model.bias_sq())},
+                {"blur", std::sqrt(model.blur_sq)},
+                {"truncation", std::sqrt(model.truncation_sq)},
+                {"bound", std::sqrt(error_sq + z * model.deviation(proposal.hits))},
+                {"seconds", proposal.cost.seconds},
+                {"bytes", proposal.cost.bytes},
+                {"measured", static_cast<bool>(result.estimates.measured[proposal.candidate])}};
+    if (proposal.expected) row["expected"] = *proposal.expected;
+    return row;
 }
 
 Json runs_as_json(std::span<const fit::VerifiedRun> runs) {

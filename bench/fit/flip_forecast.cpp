@@ -44,11 +44,11 @@ std::optional<double> hits_for_flip(const FlipForecast& forecast, const PilotSam
     return std::exp(high);
 }
 
-/// Of an adaptive map, of which no more is known than what it showed at the pilot's hits.
+/// Of a map whose blocks change with its hits: no more is known than what it showed at the pilot's.
 NeededHits needed_at_pilot(const FlipForecast& forecast, const PilotSample& sample, const ErrorModel& model,
                            const FitGoal& goal) {
     const double pilot = sample.cost.hits;
-    const double bad = forecast.flip(sample, std::max(0.0, model.upper_bias_sq(goal.z)), pilot);
+    const double bad = forecast.flip(sample, std::max(0.0, model.upper_bias_sq(z_of(goal, model))), pilot);
     const double likely = forecast.flip(sample, model.bias_sq(), pilot);
     const auto if_met = [&](double flip) {
         return flip <= goal.target ? std::optional(pilot) : std::nullopt;

@@ -36,9 +36,9 @@ struct FitGoal {
 struct NeededHits {
     std::optional<double>
         sure;  ///< that allow for chance: none where no number of hits does, or nothing is known
-    std::optional<double> likely;  ///< if the estimates were exact
-    std::optional<double> least;   ///< at the very best: no bias beyond what is certain, no bad luck
-    double expected = 0;           ///< the metric with the hits that are sure
+    std::optional<double> likely;      ///< if the estimates were exact
+    std::optional<double> least;       ///< at the very best: no bias beyond what is certain, no bad luck
+    std::optional<double> expected{};  ///< the metric with the hits that are sure
     /// The metric, allowing for chance, of infinitely many hits; infinite where nothing is known.
     double without_noise = std::numeric_limits<double>::infinity();
 };

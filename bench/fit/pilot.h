@@ -38,8 +38,8 @@ struct PilotSample {
     [[nodiscard]] bool present() const { return halves.present(); }
 };
 
-/// Whether so many hits say anything about the candidate: four hits a texel, a quarter of one where texels
-/// become blocks, least_nearest to most_nearest photons a gather.
+/// Whether so many hits say anything about the candidate: four hits a texel, one where texels share their
+/// light, a quarter of one in an adaptive map, least_nearest to most_nearest photons a gather.
 [[nodiscard]] bool is_measurable(const Candidate& candidate, std::uint64_t hits);
 
 /// Fills the samples of the chosen candidates anew with `hits` hits a half; those that do not fit into memory

@@ -181,8 +181,9 @@ std::optional<std::size_t> first_guess(Candidates candidates, Samples samples) {
 }
 
 /// Of the candidates whose bias leaves room for noise where this error is wanted, but not for much, the one
-/// with the least noise of its own.
+/// with the least noise of its own. None where no error counts more than others.
 std::optional<std::size_t> find_probe(std::span<const std::optional<ErrorModel>> model, double wanted_error) {
+    if (wanted_error == 0) return std::nullopt;  // else any bias that chance has made 0 would do
     const double wanted_sq = wanted_error * wanted_error;
     std::optional<std::size_t> probe;
     for (std::size_t i = 0; i < model.size(); ++i) {

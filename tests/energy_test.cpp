@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "common/tracer/recording_sink.h"
 #include "photonmap/photon_sinks.h"
 #include "shlm/sink.h"
 #include "tests/statistics.h"

@@ -194,7 +194,7 @@ TEST(NeededHits, AreMoreTheSurerOneMustBe) {
     const auto needed = needed_by_error(estimates, {.target = 0.05, .z = 1});
     EXPECT_LT(needed[0].least.value(), needed[0].likely.value());
     EXPECT_LT(needed[0].likely.value(), needed[0].sure.value());
-    EXPECT_LT(needed[0].expected, 0.05);
+    EXPECT_LT(needed[0].expected.value(), 0.05);
     EXPECT_FALSE(needed[1].least) << "nothing is known";
 }
 

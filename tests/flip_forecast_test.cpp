@@ -100,7 +100,7 @@ TEST_F(FlipForecasts, NeededHitsAreThoseOfRuns) {
     ASSERT_TRUE(found.sure);
     // The pilot's noise hides the bias: a tenth of it, by the square.
     EXPECT_NEAR(flip_of_runs(0.05, 0.2, *found.sure) / target, 1, 0.2);
-    EXPECT_NEAR(found.expected, target, 0.1 * target);
+    EXPECT_NEAR(found.expected.value(), target, 0.1 * target);
     EXPECT_LT(found.without_noise, target);
 }
 

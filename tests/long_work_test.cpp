@@ -83,6 +83,6 @@ TEST_P(LongWorkOf, RefusesAFolderThatCannotBeWrittenToBeforeItBegins) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, LongWorkOf, testing::ValuesIn(all),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& test) { return test.param.name; });
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "common/core/input_error.h"
 #include "common/tracer/null_sink.h"
+#include "common/tracer/recording_sink.h"
 #include "tests/statistics.h"
 #include "tests/tracing.h"
 

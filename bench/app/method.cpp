@@ -176,7 +176,7 @@ std::string name_of(const ShlmMethod& method) {
                                   : name_of(bases, method.basis);
     std::string name =
         fmt::format("shlm/{}/{}/{}", basis, name_of(weights, method.weight), name_of(method.gather));
-    if (method.placement) name += "/" + bench::name_of(*method.placement);
+    if (method.placement) name += fmt::format("/{}", bench::name_of(*method.placement));
     if (method.texels > 0) name += fmt::format("/t{}", method.texels);
     if (method.least_hits != shlm::default_least_hits) name += fmt::format("/h{}", method.least_hits);
     if (method.in_halves) name += "/half";

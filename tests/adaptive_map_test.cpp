@@ -173,7 +173,7 @@ TEST(AdaptiveMap, BentNormalsNeedDirectionsAndFlatOnesDoNot) {
 TEST(AdaptiveMap, NoiseIsKnownFromNarrowSurfacesToo) {
     Scene scene;
     add(scene, quad({0, 0, 0}, {3, 0, 0}, {0, 1000, 0}), plain);
-    const PreparedTexels texels(scene, {}, 3000, shlm::TexelPlacement::face);
+    const PreparedTexels texels(scene, shlm::find_lightmap_uv(scene), 3000, shlm::TexelPlacement::face);
     shlm::TexelSums<AdaptiveModel> sums(texels.geometry.size(), shlm::Quantum(Rgb(9, 9, 9)));
     std::mt19937 engine(1);
     for (std::uint32_t i = 0; i < texels.geometry.size(); ++i)

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "common/core/threads.h"
-#include "shlm/block_costs.h"
 #include "tests/scene_builder.h"
 #include "tests/statistics.h"
 #include "tests/texels.h"
@@ -168,21 +167,6 @@ TEST(AdaptiveMap, BentNormalsNeedDirectionsAndFlatOnesDoNot) {
     EXPECT_EQ(bent[static_cast<std::size_t>(BlockKind::YL2)] + bent[static_cast<std::size_t>(BlockKind::L2)] +
                   bent[static_cast<std::size_t>(BlockKind::AD)],
               1u);
-}
-
-TEST(AdaptiveMap, NoiseIsKnownFromNarrowSurfacesToo) {
-    Scene scene;
-    add(scene, quad({0, 0, 0}, {3, 0, 0}, {0, 1000, 0}), plain);
-    const PreparedTexels texels(scene, shlm::find_lightmap_uv(scene), 3000, shlm::TexelPlacement::face);
-    shlm::TexelSums<AdaptiveModel> sums(texels.geometry.size(), shlm::Quantum(Rgb(9, 9, 9)));
-    std::mt19937 engine(1);
-    for (std::uint32_t i = 0; i < texels.geometry.size(); ++i)
-        for (int n = std::poisson_distribution(8.0)(engine); n > 0; --n)
-            sums.add(i, Vec3(0, 0, 1), 1, Rgb(1, 1, 1) * (engine() % 2 == 0 ? 1.0f : 9.0f));
-    const auto statistics = shlm::light_statistics(shlm::light_pyramids(sums, texels, 1));
-    // Of hits that are 1 or 9 with the same chance the mean of squares is 41, the squared mean 25. 500 ratios
-    // at most, their median within a tenth of its own, and a twentieth as their noise is not all normal.
-    EXPECT_NEAR(statistics.noise_of_a_hit, 41.0 / 25, 0.25);
 }
 
 TEST(AdaptiveMap, DirectionsThatNoiseHidesAreNotStored) {

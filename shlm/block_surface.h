@@ -46,11 +46,4 @@ struct BlockSurface {
     return block;
 }
 
-/// How wide a texel is that is covered whole, world units: the widest of these.
-[[nodiscard]] inline double texel_width(std::span<const TexelGeometry> texels) {
-    float largest = 0;
-    for (const TexelGeometry& texel : texels) largest = std::max(largest, texel.area);
-    return std::sqrt(double{largest});
-}
-
 }  // namespace shlm

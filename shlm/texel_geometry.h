@@ -1,6 +1,9 @@
 // What each texel covers in the world, exactly.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <span>
 #include <vector>
 
 #include "shlm/texel_layout.h"
@@ -19,5 +22,12 @@ struct TexelGeometry {
 /// areas of a chart's texels add up to its surface.
 [[nodiscard]] std::vector<TexelGeometry> texel_geometry(const common::Scene& scene,
                                                         const TexelLayout& layout);
+
+/// How wide a texel is that is covered whole, world units: the widest of these.
+[[nodiscard]] inline double texel_width(std::span<const TexelGeometry> texels) {
+    float largest = 0;
+    for (const TexelGeometry& texel : texels) largest = std::max(largest, texel.area);
+    return std::sqrt(double{largest});
+}
 
 }  // namespace shlm

@@ -84,11 +84,6 @@ class TexelLayout {
         return static_cast<std::size_t>(after - regions_.begin()) - 1;
     }
 
-    [[nodiscard]] std::size_t bytes() const {
-        return triangles_.capacity() * sizeof(TriangleTexels) + regions_.capacity() * sizeof(TexelRegion) +
-               planes_.capacity() * sizeof(planes_[0]);
-    }
-
   private:
     std::vector<TexelRegion> regions_;  ///< one per chart
     std::vector<RegionPlane> planes_;

@@ -13,12 +13,6 @@ std::vector<common::Vec3> covered_centers(const PreparedTexels& texels) {
     return centers;
 }
 
-float largest_area(const PreparedTexels& texels) {
-    float largest = 0;
-    for (const TexelGeometry& texel : texels.geometry) largest = std::max(largest, texel.area);
-    return largest;
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> OwnTexelLookup::held_texels(const PreparedTexels& texels) {
@@ -38,7 +32,7 @@ NearestTexelsLookup::NearestTexelsLookup(const PreparedTexels& texels, NearestTe
     : centers_(covered_centers(texels)),
       index_(centers_),
       count_(nearest.count),
-      max_radius_(4 * std::sqrt(largest_area(texels))) {}
+      max_radius_(static_cast<float>(4 * texel_width(texels.geometry))) {}
 
 TexelLookup make_lookup(const PreparedTexels& texels, const Gather& gather) {
     if (const auto* nearest = std::get_if<NearestTexels>(&gather))

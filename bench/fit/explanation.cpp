@@ -72,10 +72,25 @@ shlm::AdaptiveMap traced_map(const Method& method, std::uint64_t hits, const Pil
     return adaptive_map(*method.light_map(), search_blocks(sink, trace), sink.texels().layout);
 }
 
-/// Of the blocks that texels show, by texel; world units.
+/// Of texels that are covered whole, as an adaptive map counts its blocks' widths; world units.
+std::vector<float> widths_of_whole_texels(const shlm::PreparedTexels& texels) {
+    std::vector<float> width(texels.geometry.size());
+    for (const shlm::TexelRegion& region : texels.layout.regions())
+        for (const bool back : {false, true}) {
+            if (back && !region.both_faces) continue;
+            const std::uint32_t first = region.first_texel_of(back);
+            const std::size_t count = region.texels_per_face();
+            std::fill_n(width.begin() + first, count,
+                        shlm::texel_width(std::span(texels.geometry).subspan(first, count)));
+        }
+    return width;
+}
+
+/// Of the blocks that texels show, by texel; of those of an adaptive map, were they one texel. World units.
 std::vector<float> widths_of_blocks(const Candidate& candidate, const Method& method, std::uint64_t hits,
                                     const PilotSubject& subject) {
     const shlm::PreparedTexels& texels = subject.prepared.texels_of(*method.light_map());
+    if (candidate.is_adaptive()) return widths_of_whole_texels(texels);
     std::vector<float> width;
     for (const shlm::TexelGeometry& texel : texels.geometry) width.push_back(std::sqrt(texel.area));
     if (candidate.kind != CandidateKind::sharing_map) return width;

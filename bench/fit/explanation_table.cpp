@@ -107,6 +107,7 @@ Json picture_as_json(const fit::Explanation& explanation, const Json& fit) {
             {"target", fit["target"]},
             {"metric", fit["metric"]},
             {"seed", fit["seed"]},
+            {"reached", entry["reached"]},
             {"choice", entry[entry["reached"].get<bool>() ? "choice" : "nearest"]},
             {"width", explanation.width},
             {"height", explanation.height},

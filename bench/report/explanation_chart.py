@@ -78,7 +78,8 @@ def chart(document):
     choice = document["choice"]
     target = document["target"]
     wanted = f"a FLIP of {target:g}" if document["metric"] == "FLIP" else f"{100 * target:g} %"
-    title = f"{document['scene']}, target {wanted}: {choice['method']}"
+    reached = "" if document["reached"] else " (which it does not reach)"
+    title = f"{document['scene']}, target {wanted}{reached}: {choice['method']}"
     words = (
         f"{choice['hits']:.3g} hits, estimated relative RMS error {100 * choice['error']:.3g} %, {choice['bytes'] / 1e6:.3g} MB. "
         f"White: no light map. Seed {document['seed']}; {machine_text(document['context'])}"

@@ -58,14 +58,21 @@ def draw_widths(figure, axes, widths):
     low, high = widths_range(seen)
     shown = axes.imshow(seen, interpolation="nearest", cmap="viridis", norm=LogNorm(low, high))
     bar = figure.colorbar(shown, ax=axes, orientation="horizontal", fraction=0.06, pad=0.03)
-    digits = (1, 2, 5) if high > 3 * low else (1, 1.5, 2, 3, 4, 5, 6, 7, 8)
-    ticks = [digit * 10.0**power for power in range(-8, 9) for digit in digits]
-    within = [tick for tick in ticks if low <= tick <= high] or [low, high]
-    bar.ax.xaxis.set_major_locator(FixedLocator(within))
+    bar.ax.xaxis.set_major_locator(FixedLocator(round_widths(low, high)))
     bar.ax.xaxis.set_major_formatter(FuncFormatter(lambda width, _: f"{width:.3g}"))
     bar.ax.xaxis.set_minor_locator(NullLocator())
     bar.ax.tick_params(labelsize=SMALL + 0.5)
     axes.set_title("Width of a block, scene units", fontsize=9)
+
+
+def round_widths(low, high):
+    """Three ticks at least."""
+    for digits in (1, 2, 5), (1, 1.5, 2, 3, 4, 5, 6, 7, 8):
+        ticks = [digit * 10.0**power for power in range(-8, 9) for digit in digits]
+        within = [tick for tick in ticks if low <= tick <= high]
+        if len(within) >= 3:
+            return within
+    return [low, high]
 
 
 def widths_range(seen):

@@ -208,6 +208,14 @@ TEST_F(Fit, GrowsNoPilotForWhatCannotBeReached) {
     EXPECT_LT(pilot["hits_of_each_half"], pilot["largest_allowed"]);
 }
 
+TEST_F(Fit, TakesAllOfThePilotForWhatAsksForIt) {
+    for (const std::string largest : {"60000", "120000"}) {  // none is the smallest times a power of four
+        const Ended ended = run({"fit", cornell, "--target", "1%", "--pilot", largest, "--json"});
+        ASSERT_EQ(ended.exit_code, 0) << ended.err;
+        EXPECT_EQ(Json::parse(ended.out)["pilot"]["hits_of_each_half"], std::stod(largest));
+    }
+}
+
 TEST_F(Fit, KeepsWithinBudgets) {
     const Json found = json_of({"--budget-bytes", "1000"});
     for (const char* kind : {"light_map", "photon_map"}) {

@@ -9,7 +9,8 @@
 namespace bench::fit {
 namespace {
 
-constexpr std::uint64_t growth = 4, first_share = 1024;
+constexpr std::uint64_t growth = 4;
+constexpr int most_growths = 5;   // from the first pilot to the largest
 constexpr double enough = 1.1;    // a candidate's hits are known to a tenth
 constexpr double worth_it = 1.2;  // the choice might cost so much less if there were no doubt
 
@@ -163,6 +164,13 @@ void look_for_fewer_hits(State& state) {
     }
 }
 
+/// Of each half of the first of those pilots that grow to the largest.
+std::uint64_t first_pilot_hits(std::uint64_t largest) {
+    std::uint64_t hits = largest;
+    for (int i = 0; i < most_growths && hits / growth >= fewest_pilot_hits; ++i) hits /= growth;
+    return hits;
+}
+
 }  // namespace
 
 FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchLimits& limits,
@@ -170,9 +178,8 @@ FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchL
     State state{subject, goal};
     const common::Stopwatch watch;
     bool known = false;
-    for (std::uint64_t hits =
-             std::max(std::min(limits.pilot_hits, fewest_pilot_hits), limits.pilot_hits / first_share);
-         hits <= limits.pilot_hits; hits *= growth) {
+    for (std::uint64_t hits = first_pilot_hits(limits.pilot_hits); hits <= limits.pilot_hits;
+         hits *= growth) {
         archive.run_pilot(subject, to_trace(state, hits, !known), hits, state.samples);
         state.result.pilot_hits = hits;
         known = choose_both(state);

@@ -93,7 +93,7 @@ std::map<std::string, std::string> to_notes(const MapRun& run) {
 }
 
 MapRun map_run_of(const std::map<std::string, std::string>& notes) {
-    if (const std::string& version = note(notes, "map_format"); version != format_version)
+    if (const std::string version = note(notes, "map_format"); version != format_version)
         throw common::InputError(
             fmt::format("its format is {}, this program reads {}", version, format_version));
     MapRun run;

@@ -166,7 +166,7 @@ TEST(BasisFigures, HalvesAreAsGoodAsFloats) {
         const auto& figures = figures_of(kind);
         for (const BasisFigures& found : figures) {
             if (!found.basis.name.ends_with("/half")) continue;
-            const BasisFigures& floats =
+            const BasisFigures floats =
                 find(figures, found.basis.name.substr(0, found.basis.name.size() - 5));
             EXPECT_EQ(found.basis.bytes * 2, floats.basis.bytes);
             EXPECT_NEAR(found.series.mean, floats.series.mean, 0.05) << found.basis.name << ", in %";

@@ -28,7 +28,7 @@ std::vector<common::Rgb> answers(const std::string& method, const bench::LoadedS
 }
 
 TEST(Engines, AnswerAlike) {
-    const bench::LoadedScene scene(std::string(SHLMBENCH_BINARY_DIR) + "/scenes/cornell.glb", {});
+    const bench::LoadedScene scene(SHLMBENCH_BINARY_DIR "/scenes/cornell.glb", {});
     const bench::QueryPoints queries = bench::visible_query_points(scene, 1);
     // How many photons an answer sums, at most: generous, but for k far below what one photon is worth.
     const std::map<std::string, double> photons = {

@@ -13,7 +13,8 @@ constexpr common::SurfaceId middle = {0, 0.25f, 0.25f};
 common::Scene quad() {
     common::Scene scene;
     scene.source = "one texel";
-    scene.position = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    for (const Vec2& corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
+        scene.position.emplace_back(corner.x, corner.y, 0.0f);
     scene.normal.assign(4, Vec3(0, 0, 1));
     scene.texcoord.fill({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     scene.tangent.assign(4, Vec3(0, 0, 0));

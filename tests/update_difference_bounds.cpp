@@ -43,7 +43,11 @@ void update(const fs::path& folder) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char**) {
+    if (argc > 1) {
+        fmt::print(stderr, "update_difference_bounds: takes no arguments\n");
+        return 2;
+    }
     std::string folder = (fs::temp_directory_path() / "shlmbench-bounds-XXXXXX").string();
     if (mkdtemp(folder.data()) == nullptr) return 2;
     int exit_code = 0;

@@ -3,7 +3,11 @@
 #include "common/core/input_error.h"
 #include "tests/golden.h"
 
-int main() {
+int main(int argc, char**) {
+    if (argc > 1) {
+        fmt::print(stderr, "update_golden: takes no arguments\n");
+        return 2;
+    }
     try {
         std::filesystem::create_directories(SHLMBENCH_GOLDEN_FOLDER);
         for (const std::string scene : golden::scenes)

@@ -53,6 +53,20 @@ TEST(Fingerprint, KnowsEverythingThatLightDependsOn) {
         [](Scene& s) { s.material[0].emissive_texture.texture = 0; },
         [](Scene& s) { s.material[0].index_of_refraction = 1.6f; },
         [](Scene& s) { s.material[0].double_sided = true; },
+        [](Scene& s) { s.material[0].alpha_mode = common::AlphaMode::mask; },
+        [](Scene& s) { s.material[0].alpha_mode = common::AlphaMode::blend; },
+        [](Scene& s) {
+            s.material[0].alpha_mode = common::AlphaMode::blend;
+            s.material[0].alpha = 0.5f;
+        },
+        [](Scene& s) {
+            s.material[0].alpha_mode = common::AlphaMode::mask;
+            s.material[0].alpha_cutoff = 0.4f;
+        },
+        [](Scene& s) { s.material[0].base_color_texture.transform.offset.x = 0.5f; },
+        [](Scene& s) { s.material[0].base_color_texture.transform.along_u.x = 2; },
+        [](Scene& s) { s.color.assign(s.position.size(), common::Rgb(0.5f, 1, 1)); },
+        [](Scene& s) { s.origin.x = 1000; },
         [&](Scene& s) { s.texture[0] = texture(4, ColorSpace::srgb, Wrap::repeat); },
         [&](Scene& s) { s.texture[0] = texture(3, ColorSpace::linear, Wrap::repeat); },
         [&](Scene& s) { s.texture[0] = texture(3, ColorSpace::srgb, Wrap::clamp_to_edge); },

@@ -73,13 +73,18 @@ void set_emission(const Rgb& radiance, tinygltf::Material& material, tinygltf::M
     use_extension(model, "KHR_materials_emissive_strength");
 }
 
+/// Glass with an inside: without KHR_materials_volume it would be a thin sheet. How thick matters only where
+/// the volume absorbs, which this one does not.
 void set_glass(float index_of_refraction, tinygltf::Material& material, tinygltf::Model& model) {
-    Value::Object transmission, ior;
+    Value::Object transmission, ior, volume;
     transmission["transmissionFactor"] = Value(1.0);
     ior["ior"] = Value(static_cast<double>(index_of_refraction));
+    volume["thicknessFactor"] = Value(1.0);
     material.extensions["KHR_materials_transmission"] = Value(std::move(transmission));
     material.extensions["KHR_materials_ior"] = Value(std::move(ior));
+    material.extensions["KHR_materials_volume"] = Value(std::move(volume));
     use_extension(model, "KHR_materials_transmission");
+    use_extension(model, "KHR_materials_volume");
     use_extension(model, "KHR_materials_ior");
 }
 

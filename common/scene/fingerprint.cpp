@@ -41,6 +41,12 @@ void add_geometry(Hash& hash, const Scene& scene) {
     hash.add_all(std::span<const Vec3>(scene.tangent));
     hash.add_all(std::span<const float>(scene.tangent_sign));
     hash.add_all(std::span<const TriangleVertices>(scene.triangle));
+    // What a scene does not have is left out, so that its fingerprint is what it was before there was any.
+    if (!scene.color.empty()) {
+        hash.add_all(std::span<const Rgb>(scene.color));
+        hash.add_all(std::span<const float>(scene.alpha));
+    }
+    if (scene.origin != Imath::V3d(0, 0, 0)) hash.add(scene.origin);
     hash.add(scene.instance.size());
     for (const MeshInstance& instance : scene.instance) {
         hash.add(instance.first_triangle);
@@ -52,6 +58,11 @@ void add_geometry(Hash& hash, const Scene& scene) {
 void add_use(Hash& hash, const TextureUse& use) {
     hash.add(use.texture);
     hash.add(use.texcoord_set);
+    if (use.transform != TexcoordTransform{}) {
+        hash.add(use.transform.offset);
+        hash.add(use.transform.along_u);
+        hash.add(use.transform.along_v);
+    }
 }
 
 void add_material(Hash& hash, const Material& material) {
@@ -64,6 +75,11 @@ void add_material(Hash& hash, const Material& material) {
     add_use(hash, material.emissive_texture);
     hash.add(material.index_of_refraction);
     hash.add(material.double_sided);
+    if (material.alpha_mode != AlphaMode::opaque) {
+        hash.add(material.alpha_mode);
+        hash.add(material.alpha);
+        hash.add(material.alpha_cutoff);
+    }
 }
 
 void add_texture(Hash& hash, const Texture& texture) {
@@ -72,6 +88,7 @@ void add_texture(Hash& hash, const Texture& texture) {
     hash.add(texture.color_space());
     hash.add(texture.wrap());
     hash.add_all(texture.rgb());
+    if (texture.has_alpha()) hash.add_all(texture.alpha());
 }
 
 void add_lights(Hash& hash, const Scene& scene) {

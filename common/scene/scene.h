@@ -17,16 +17,38 @@ namespace common {
 
 inline constexpr std::int32_t no_texture = -1;
 
-/// Which texture a material reads and through which set of texture coordinates (0 or 1).
+/// Where texture coordinates are taken to before the texture is read (KHR_texture_transform).
+struct TexcoordTransform {
+    Vec2 offset{0, 0};               ///< of the coordinates (0, 0)
+    Vec2 along_u{1, 0}, along_v{0, 1};  ///< what a step of 1 along u and along v adds
+
+    [[nodiscard]] Vec2 operator()(const Vec2& texcoord) const {
+        return offset + along_u * texcoord.x + along_v * texcoord.y;
+    }
+    bool operator==(const TexcoordTransform&) const = default;
+};
+
+/// Which texture a material reads, through which set of texture coordinates (0 or 1), moved how.
 struct TextureUse {
     std::int32_t texture = no_texture;
     int texcoord_set = 0;
+    TexcoordTransform transform = {};
 };
 
 enum class SurfaceKind {
-    diffuse,    ///< Lambertian: stores hits
-    mirror,     ///< perfect specular reflection (metallic 1, roughness 0): stores nothing
-    dielectric  ///< smooth glass (KHR_materials_transmission, KHR_materials_ior): stores nothing
+    diffuse,     ///< Lambertian: stores hits
+    mirror,      ///< perfect specular reflection (metallic 1, roughness 0): stores nothing
+    dielectric,  ///< boundary of a body of smooth glass (KHR_materials_transmission with
+                 ///< KHR_materials_volume, KHR_materials_ior): stores nothing
+    thin_sheet   ///< smooth glass without thickness (KHR_materials_transmission alone), seen from both
+                 ///< sides: reflects, or lets light through unbent; stores nothing
+};
+
+/// What becomes of a material's alpha (glTF 2.0, section 3.9.4).
+enum class AlphaMode {
+    opaque,  ///< nothing
+    mask,    ///< the surface is there where alpha is at least the cutoff, else there is a hole
+    blend    ///< alpha is the part of the surface that is there
 };
 
 struct Material {
@@ -40,6 +62,9 @@ struct Material {
     Rgb emitted_radiance{0, 0, 0};  ///< W/(m^2 sr): emissiveFactor times emissiveStrength
     TextureUse emissive_texture;    ///< multiplies emitted_radiance
     float index_of_refraction = 1.5f;
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    float alpha = 1;  ///< times that of the base colour's texture and of the vertices
+    float alpha_cutoff = 0.5f;
     bool double_sided =
         false;  ///< both faces emit and each has light of its own; otherwise the front face only
 
@@ -101,6 +126,9 @@ struct Scene {
     /// Unit tangent, world space, along increasing u of the normal texture; zero where the file gives none.
     std::vector<Vec3> tangent;
     std::vector<float> tangent_sign;  ///< glTF's TANGENT.w: the bitangent is sign * cross(normal, tangent)
+    // Both empty where no primitive has COLOR_0; otherwise 1 for the vertices of those that have none.
+    std::vector<Rgb> color;    ///< linear, in [0, 1]; multiplies the base colour
+    std::vector<float> alpha;  ///< in [0, 1]; multiplies the material's
 
     // One entry per triangle.
     std::vector<TriangleVertices> triangle;
@@ -120,6 +148,10 @@ struct Scene {
     std::vector<std::string> warnings;  ///< what was read but could not be honoured, a line each
 
     Imath::Box3f bounds;
+
+    /// Where the file has what is at (0, 0, 0) here. Not zero only for scenes so far from their origin that
+    /// floats would blur them.
+    Imath::V3d origin{0, 0, 0};
 
     [[nodiscard]] const Material& material_of(std::uint32_t triangle_index) const {
         return material[instance[instance_of[triangle_index]].material];

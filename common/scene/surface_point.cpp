@@ -33,7 +33,7 @@ TangentFrame tangent_frame_at(const Scene& scene, const SurfaceId& surface, cons
 Vec3 normal_mapped(const Scene& scene, const SurfaceId& surface, const Material& material,
                    const Vec3& normal) {
     const TextureUse& use = material.normal_texture;
-    const Vec3 texel = scene.texture[use.texture].sample(texcoord_at(scene, surface, use.texcoord_set));
+    const Vec3 texel = scene.texture[use.texture].sample(texcoord_at(scene, surface, use));
     const Vec3 bent = {(2 * texel.x - 1) * material.normal_scale, (2 * texel.y - 1) * material.normal_scale,
                        2 * texel.z - 1};
     const auto [tangent, bitangent] = tangent_frame_at(scene, surface, normal, use.texcoord_set);
@@ -54,6 +54,10 @@ Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, int texcoord_set)
     return interpolate(uv[a], uv[b], uv[c], surface.u, surface.v);
 }
 
+Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, const TextureUse& use) {
+    return use.transform(texcoord_at(scene, surface, use.texcoord_set));
+}
+
 Vec3 smooth_normal_at(const Scene& scene, const SurfaceId& surface) {
     const auto [a, b, c] = scene.triangle[surface.triangle];
     const Vec3& geometric = scene.geometric_normal[surface.triangle];
@@ -65,9 +69,27 @@ Vec3 smooth_normal_at(const Scene& scene, const SurfaceId& surface) {
 Rgb base_color_at(const Scene& scene, const SurfaceId& surface) {
     const Material& material = scene.material_of(surface.triangle);
     const TextureUse& use = material.base_color_texture;
-    if (use.texture == no_texture) return material.base_color;
-    return material.base_color *
-           scene.texture[use.texture].sample(texcoord_at(scene, surface, use.texcoord_set));
+    Rgb color = material.base_color;
+    if (use.texture != no_texture)
+        color = color * scene.texture[use.texture].sample(texcoord_at(scene, surface, use));
+    if (!scene.color.empty()) {
+        const auto [a, b, c] = scene.triangle[surface.triangle];
+        color = color * interpolate(scene.color[a], scene.color[b], scene.color[c], surface.u, surface.v);
+    }
+    return color;
+}
+
+float alpha_at(const Scene& scene, const SurfaceId& surface) {
+    const Material& material = scene.material_of(surface.triangle);
+    const TextureUse& use = material.base_color_texture;
+    float alpha = material.alpha;
+    if (use.texture != no_texture)
+        alpha *= scene.texture[use.texture].sample_alpha(texcoord_at(scene, surface, use));
+    if (!scene.alpha.empty()) {
+        const auto [a, b, c] = scene.triangle[surface.triangle];
+        alpha *= interpolate(scene.alpha[a], scene.alpha[b], scene.alpha[c], surface.u, surface.v);
+    }
+    return alpha;
 }
 
 Rgb emitted_radiance_at(const Scene& scene, const SurfaceId& surface) {
@@ -75,7 +97,7 @@ Rgb emitted_radiance_at(const Scene& scene, const SurfaceId& surface) {
     const TextureUse& use = material.emissive_texture;
     if (use.texture == no_texture) return material.emitted_radiance;
     return material.emitted_radiance *
-           scene.texture[use.texture].sample(texcoord_at(scene, surface, use.texcoord_set));
+           scene.texture[use.texture].sample(texcoord_at(scene, surface, use));
 }
 
 SurfacePoint surface_point_at(const Scene& scene, const SurfaceId& surface, const Vec3& direction) {

@@ -26,11 +26,17 @@ struct SurfacePoint {
 [[nodiscard]] Vec3 position_at(const Scene& scene, const SurfaceId& surface);
 [[nodiscard]] Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, int texcoord_set);
 
+/// Where a texture is read.
+[[nodiscard]] Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, const TextureUse& use);
+
 /// Interpolated vertex normal, unit, on the front side; no normal map.
 [[nodiscard]] Vec3 smooth_normal_at(const Scene& scene, const SurfaceId& surface);
 
-/// Base colour: factor times texture, in [0, 1].
+/// Base colour: factor times texture times vertex colour, in [0, 1].
 [[nodiscard]] Rgb base_color_at(const Scene& scene, const SurfaceId& surface);
+
+/// Alpha: factor times texture times that of the vertices, in [0, 1], whatever the material makes of it.
+[[nodiscard]] float alpha_at(const Scene& scene, const SurfaceId& surface);
 
 /// W/(m^2 sr) leaving the surface's emitting face: factor times texture.
 [[nodiscard]] Rgb emitted_radiance_at(const Scene& scene, const SurfaceId& surface);

@@ -54,17 +54,19 @@ Texels texels_around(float coordinate, int size, Wrap wrap) {
 }  // namespace
 
 Texture::Texture(std::string name, int width, int height, std::vector<std::uint8_t> rgb,
-                 ColorSpace color_space, Wrap wrap_u, Wrap wrap_v)
+                 ColorSpace color_space, Wrap wrap_u, Wrap wrap_v, std::vector<std::uint8_t> alpha)
     : name_(std::move(name)),
       width_(width),
       height_(height),
       rgb_(std::move(rgb)),
+      alpha_(std::move(alpha)),
       color_space_(color_space),
       wrap_u_(wrap_u),
       wrap_v_(wrap_v) {
     if (width < 1 || height < 1 ||
         rgb_.size() / 3 / static_cast<std::size_t>(width) != static_cast<std::size_t>(height) ||
-        rgb_.size() % (3 * static_cast<std::size_t>(width)) != 0)
+        rgb_.size() % (3 * static_cast<std::size_t>(width)) != 0 ||
+        (!alpha_.empty() && alpha_.size() != rgb_.size() / 3))
         throw InputError(fmt::format("image '{}' does not have {} x {} RGB pixels", name_, width, height));
     for (std::size_t byte = 0; byte < linear_of_byte_.size(); ++byte) {
         const float value = static_cast<float>(byte) / 255.0f;
@@ -90,6 +92,17 @@ Rgb Texture::filter(const Footprint& around) const {
     const float left = 1 - around.right;
     const Rgb upper = linear(upper_left) * left + linear(upper_right) * around.right;
     const Rgb lower = linear(lower_left) * left + linear(lower_right) * around.right;
+    return upper * (1 - around.lower) + lower * around.lower;
+}
+
+float Texture::sample_alpha(Vec2 texcoord) const {
+    if (alpha_.empty()) return 1;
+    const Footprint around = footprint(texcoord);
+    const auto value = [&](std::size_t i) {
+        return static_cast<float>(alpha_[around.texel[i] / 3]) / 255.0f;
+    };
+    const float upper = value(0) * (1 - around.right) + value(1) * around.right;
+    const float lower = value(2) * (1 - around.right) + value(3) * around.right;
     return upper * (1 - around.lower) + lower * around.lower;
 }
 

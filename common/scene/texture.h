@@ -18,12 +18,13 @@ enum class ColorSpace {
     srgb     ///< colours: base colour and emission; decoded to linear when sampled
 };
 
-/// 8-bit RGB image. Row 0 is the top row, at v = 0 (glTF 2.0, section 3.8.1).
+/// 8-bit RGB image, some with alpha. Row 0 is the top row, at v = 0 (glTF 2.0, section 3.8.1).
 class Texture {
   public:
-    /// `rgb` holds 3 * width * height bytes, row by row. Throws InputError where that does not hold.
+    /// `rgb` holds 3 * width * height bytes, row by row, `alpha` a third of that, or none where it is 1
+    /// everywhere. Throws InputError where that does not hold.
     Texture(std::string name, int width, int height, std::vector<std::uint8_t> rgb, ColorSpace color_space,
-            Wrap wrap_u, Wrap wrap_v);
+            Wrap wrap_u, Wrap wrap_v, std::vector<std::uint8_t> alpha = {});
 
     /// The four texels around a place, and how they are weighted.
     struct Footprint {
@@ -43,13 +44,18 @@ class Texture {
     }
     [[nodiscard]] Rgb filter(const Footprint& around) const;
 
+    /// Bilinear sample of alpha, in [0, 1].
+    [[nodiscard]] float sample_alpha(Vec2 texcoord) const;
+
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] std::span<const std::uint8_t> rgb() const { return rgb_; }
+    [[nodiscard]] bool has_alpha() const { return !alpha_.empty(); }
+    [[nodiscard]] std::span<const std::uint8_t> alpha() const { return alpha_; }
     [[nodiscard]] ColorSpace color_space() const { return color_space_; }
     [[nodiscard]] std::array<Wrap, 2> wrap() const { return {wrap_u_, wrap_v_}; }
-    [[nodiscard]] std::size_t bytes() const { return rgb_.capacity(); }
+    [[nodiscard]] std::size_t bytes() const { return rgb_.capacity() + alpha_.capacity(); }
 
   private:
     [[nodiscard]] Rgb linear(std::size_t texel) const {
@@ -60,6 +66,7 @@ class Texture {
     std::string name_;
     int width_, height_;
     std::vector<std::uint8_t> rgb_;
+    std::vector<std::uint8_t> alpha_;  ///< none where it is 1 everywhere
     std::array<float, 256> linear_of_byte_;
     ColorSpace color_space_;
     Wrap wrap_u_, wrap_v_;

@@ -1,0 +1,135 @@
+#include "common/scene/surface_pieces.h"
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_sort.h>
+
+#include <bit>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace common {
+namespace {
+
+/// One side of a triangle, as the corners that it joins are numbered by position.
+struct Edge {
+    std::uint64_t ends;  ///< the lower number in the upper half
+    std::uint32_t triangle;
+    bool upward;  ///< the triangle goes round from the lower number to the higher
+
+    friend auto operator<=>(const Edge&, const Edge&) = default;
+};
+
+/// Numbers of the scene's vertices that are equal where positions are: files repeat vertices where normals or
+/// texture coordinates differ, and meshes that meet have each their own.
+std::vector<std::uint32_t> vertices_by_position(const Scene& scene) {
+    struct Place {
+        std::uint32_t x, y, z, vertex;
+    };
+    std::vector<Place> places(scene.position.size());
+    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+        const Vec3& p = scene.position[i];
+        // Plus 0 makes of -0 the 0 that it equals.
+        places[i] = {std::bit_cast<std::uint32_t>(p.x + 0.0f), std::bit_cast<std::uint32_t>(p.y + 0.0f),
+                     std::bit_cast<std::uint32_t>(p.z + 0.0f), static_cast<std::uint32_t>(i)};
+    });
+    tbb::parallel_sort(places, [](const Place& a, const Place& b) {
+        return std::tie(a.x, a.y, a.z, a.vertex) < std::tie(b.x, b.y, b.z, b.vertex);
+    });
+    const auto apart = [](const Place& a, const Place& b) {
+        return std::tie(a.x, a.y, a.z) != std::tie(b.x, b.y, b.z);
+    };
+    std::vector<std::uint32_t> number(places.size());
+    std::uint32_t next = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (i > 0 && apart(places[i], places[i - 1])) ++next;
+        number[places[i].vertex] = next;
+    }
+    return number;
+}
+
+std::vector<Edge> edges_in_order(const Scene& scene) {
+    const std::vector<std::uint32_t> number = vertices_by_position(scene);
+    std::vector<Edge> edges(3 * scene.triangle.size());
+    tbb::parallel_for(std::size_t{0}, scene.triangle.size(), [&](std::size_t t) {
+        for (std::size_t side = 0; side < 3; ++side) {
+            const std::uint32_t from = number[scene.triangle[t][side]];
+            const std::uint32_t to = number[scene.triangle[t][(side + 1) % 3]];
+            edges[3 * t + side] = {std::uint64_t{std::min(from, to)} << 32 | std::max(from, to),
+                                   static_cast<std::uint32_t>(t), from < to};
+        }
+    });
+    tbb::parallel_sort(edges);
+    return edges;
+}
+
+/// Sets of triangles that have been joined.
+class Joined {
+  public:
+    explicit Joined(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+    /// The lowest of the set.
+    std::uint32_t first_of(std::uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = first_of(a);
+        b = first_of(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+/// Calls `meet(a, b, cosine)` for the triangles on both sides of each edge: the cosine between their normals
+/// as one goes over the edge on one face of the surface, whichever way either triangle goes round.
+template <class Meet>
+void for_each_meeting(const Scene& scene, std::span<const Edge> edges, Meet meet) {
+    // Where many triangles have one edge each is compared with those that follow it, as far as this.
+    constexpr std::size_t most_at_an_edge = 8;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const std::size_t end = std::min(edges.size(), i + most_at_an_edge);
+        for (std::size_t k = i + 1; k < end && edges[k].ends == edges[i].ends; ++k) {
+            const float cosine =
+                scene.geometric_normal[edges[i].triangle].dot(scene.geometric_normal[edges[k].triangle]);
+            meet(edges[i].triangle, edges[k].triangle, edges[i].upward == edges[k].upward ? -cosine : cosine);
+        }
+    }
+}
+
+}  // namespace
+
+SurfacePieces::SurfacePieces(const Scene& scene) : piece_of_(scene.triangle.size()) {
+    const std::vector<Edge> edges = edges_in_order(scene);
+    Joined joined(piece_of_.size());
+    for_each_meeting(scene, edges, [&](std::uint32_t a, std::uint32_t b, float cosine) {
+        if (cosine >= same_piece_cosine) joined.join(a, b);
+    });
+    std::uint32_t pieces = 0;
+    for (std::uint32_t t = 0; t < piece_of_.size(); ++t) {
+        const std::uint32_t first = joined.first_of(t);
+        piece_of_[t] = first == t ? pieces++ : piece_of_[first];
+    }
+
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for_each_meeting(scene, edges, [&](std::uint32_t a, std::uint32_t b, float cosine) {
+        const std::uint32_t p = piece_of_[a], q = piece_of_[b];
+        if (p == q || cosine <= -same_piece_cosine) return;
+        pairs.emplace_back(p, q);
+        pairs.emplace_back(q, p);
+    });
+    tbb::parallel_sort(pairs);
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    first_touching_.assign(pieces + std::size_t{1}, 0);
+    touching_.reserve(pairs.size());
+    for (const auto& [piece, other] : pairs) {
+        ++first_touching_[piece + 1];
+        touching_.push_back(other);
+    }
+    std::partial_sum(first_touching_.begin(), first_touching_.end(), first_touching_.begin());
+}
+
+}  // namespace common

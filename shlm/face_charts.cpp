@@ -11,7 +11,6 @@
 namespace shlm {
 namespace {
 
-using common::MeshInstance;
 using common::Scene;
 using Imath::V2d;
 using Imath::V3d;
@@ -160,13 +159,13 @@ TexelChart laid_flat(const Scene& scene, const FlatPatch& patch, const Rectangle
 
 }  // namespace
 
-std::vector<TexelChart> face_charts(const Scene& scene, const MeshInstance& instance, double texel_size) {
+std::vector<TexelChart> face_charts(const Scene& scene, std::span<const std::uint32_t> triangles,
+                                    bool both_faces, double texel_size) {
     std::vector<FlatPatch> patches;
-    for (FlatPatch& patch : flat_patches(scene, instance, texel_size))
+    for (FlatPatch& patch : flat_patches(scene, triangles, texel_size))
         divide(scene, std::move(patch), texel_size, patches);
 
     std::vector<TexelChart> charts;
-    const bool both_faces = scene.material[instance.material].double_sided;
     for (const FlatPatch& patch : shared(scene, std::move(patches), texel_size)) {
         const Rectangle rectangle = rectangle_around(scene, patch);
         // Slivers can be thinner than what their positions are rounded to: nothing to be laid flat.

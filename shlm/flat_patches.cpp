@@ -8,23 +8,25 @@
 namespace shlm {
 namespace {
 
-using common::MeshInstance;
 using common::Scene;
 using common::Vec3;
 
+/// Triangles of the scene. Below, they are counted by their places here.
+using Triangles = std::span<const std::uint32_t>;
+
 constexpr std::uint32_t none = 0xffffffff;
 
-/// Corners of the instance's triangles, three each, as numbers that are equal where positions are: files
+/// Corners of the triangles, three each, as numbers that are equal where positions are: files
 /// repeat vertices where normals or texture coordinates differ.
-std::vector<std::uint32_t> corners_by_position(const Scene& scene, const MeshInstance& instance) {
+std::vector<std::uint32_t> corners_by_position(const Scene& scene, Triangles triangles) {
     const auto position = [&](std::uint32_t corner) -> const Vec3& {
-        return scene.position[scene.triangle[instance.first_triangle + corner / 3][corner % 3]];
+        return scene.position[scene.triangle[triangles[corner / 3]][corner % 3]];
     };
     const auto before = [&](std::uint32_t a, std::uint32_t b) {
         const Vec3 &p = position(a), &q = position(b);
         return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
     };
-    std::vector<std::uint32_t> order(3 * std::size_t{instance.triangle_count}), number(order.size());
+    std::vector<std::uint32_t> order(3 * triangles.size()), number(order.size());
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(), before);
     for (std::size_t i = 1; i < order.size(); ++i)
@@ -32,18 +34,17 @@ std::vector<std::uint32_t> corners_by_position(const Scene& scene, const MeshIns
     return number;
 }
 
-/// What lies behind each edge of a triangle, or `none`; counted from the instance's first triangle. Where an
-/// edge has more than two triangles, they are paired in the file's order.
+/// What lies behind each edge of a triangle, or `none`. Where an edge has more than two triangles, they are paired in the file's order.
 using Neighbours = std::array<std::uint32_t, 3>;
 
-std::vector<Neighbours> find_neighbours(const Scene& scene, const MeshInstance& instance) {
+std::vector<Neighbours> find_neighbours(const Scene& scene, Triangles triangles) {
     struct Edge {
         std::uint32_t low, high, triangle, side;
     };
-    const std::vector<std::uint32_t> corner = corners_by_position(scene, instance);
+    const std::vector<std::uint32_t> corner = corners_by_position(scene, triangles);
     std::vector<Edge> edges;
     edges.reserve(corner.size());
-    for (std::uint32_t t = 0; t < instance.triangle_count; ++t)
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
         for (std::uint32_t side = 0; side < 3; ++side) {
             const auto [low, high] = std::minmax(corner[3 * t + side], corner[3 * t + (side + 1) % 3]);
             if (low != high) edges.push_back({low, high, t, side});
@@ -52,7 +53,7 @@ std::vector<Neighbours> find_neighbours(const Scene& scene, const MeshInstance& 
         return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
     });
 
-    std::vector<Neighbours> neighbours(instance.triangle_count, {none, none, none});
+    std::vector<Neighbours> neighbours(triangles.size(), {none, none, none});
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
         const Edge &a = edges[i], &b = edges[i + 1];
         if (a.low != b.low || a.high != b.high) continue;
@@ -63,12 +64,12 @@ std::vector<Neighbours> find_neighbours(const Scene& scene, const MeshInstance& 
     return neighbours;
 }
 
-/// The instance's triangles that have an area, the largest first.
-std::vector<std::uint32_t> by_area(const Scene& scene, const MeshInstance& instance) {
-    std::vector<float> area(instance.triangle_count);
+/// Those that have an area, the largest first.
+std::vector<std::uint32_t> by_area(const Scene& scene, Triangles triangles) {
+    std::vector<float> area(triangles.size());
     std::vector<std::uint32_t> order;
-    for (std::uint32_t t = 0; t < instance.triangle_count; ++t) {
-        area[t] = common::triangle_area(scene, instance.first_triangle + t);
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        area[t] = common::triangle_area(scene, triangles[t]);
         if (area[t] > 0) order.push_back(t);
     }
     std::stable_sort(order.begin(), order.end(),
@@ -78,10 +79,10 @@ std::vector<std::uint32_t> by_area(const Scene& scene, const MeshInstance& insta
 
 }  // namespace
 
-std::vector<FlatPatch> flat_patches(const Scene& scene, const MeshInstance& instance, double texel_size) {
-    const std::vector<Neighbours> neighbours = find_neighbours(scene, instance);
-    const std::vector<std::uint32_t> seeds = by_area(scene, instance);
-    std::vector<bool> free(instance.triangle_count, false);
+std::vector<FlatPatch> flat_patches(const Scene& scene, Triangles triangles, double texel_size) {
+    const std::vector<Neighbours> neighbours = find_neighbours(scene, triangles);
+    const std::vector<std::uint32_t> seeds = by_area(scene, triangles);
+    std::vector<bool> free(triangles.size(), false);
     for (const std::uint32_t t : seeds) free[t] = true;
 
     const auto near_plane_of = [&](std::uint32_t seed, std::uint32_t triangle) {
@@ -99,17 +100,16 @@ std::vector<FlatPatch> flat_patches(const Scene& scene, const MeshInstance& inst
     for (const std::uint32_t seed : seeds) {
         if (!free[seed]) continue;
         free[seed] = false;
-        const std::uint32_t first = instance.first_triangle + seed;
-        FlatPatch patch{scene.geometric_normal[first], {first}};
-        for (std::size_t i = 0; i < patch.triangle.size(); ++i)
-            for (const std::uint32_t next : neighbours[patch.triangle[i] - instance.first_triangle]) {
+        std::vector<std::uint32_t> taken = {seed};
+        for (std::size_t i = 0; i < taken.size(); ++i)
+            for (const std::uint32_t next : neighbours[taken[i]]) {
                 if (next == none || !free[next]) continue;
-                const std::uint32_t triangle = instance.first_triangle + next;
-                if (!near_plane_of(first, triangle)) continue;
+                if (!near_plane_of(triangles[seed], triangles[next])) continue;
                 free[next] = false;
-                patch.triangle.push_back(triangle);
+                taken.push_back(next);
             }
-        patches.push_back(std::move(patch));
+        for (std::uint32_t& triangle : taken) triangle = triangles[triangle];
+        patches.push_back({scene.geometric_normal[triangles[seed]], std::move(taken)});
     }
     return patches;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "common/scene/scene.h"
@@ -16,11 +17,12 @@ struct FlatPatch {
     std::vector<std::uint32_t> triangle;  ///< of the scene
 };
 
-/// Parts of the instance's surface that texels of this size (world units) take for flat: triangles that hang
+/// Parts of a mesh's surface, given by triangles of the scene, that texels of this size (world units) take for flat: triangles that hang
 /// together edge by edge, whose normals are within 25 degrees of the largest one's, and that stay within half
 /// a texel of its plane. What lies over each other in a patch is therefore the same place to a texel. Each
 /// triangle is in one patch; those without area are in none.
 [[nodiscard]] std::vector<FlatPatch> flat_patches(const common::Scene& scene,
-                                                  const common::MeshInstance& instance, double texel_size);
+                                                  std::span<const std::uint32_t> triangles,
+                                                  double texel_size);
 
 }  // namespace shlm

@@ -22,9 +22,13 @@ struct OwnTexel {};
 /// The four texels around the point in the lightmap, those of its chart that look its way.
 struct Bilinear {};
 
-/// The texels nearest in space that look the point's way, as in the paper.
+/// The texels nearest in space that look the point's way.
 struct NearestTexels {
     std::size_t count = 4;
+    /// Those of the point's own piece of surface and of pieces that share an edge with it
+    /// (common::SurfacePieces). Otherwise whichever are nearest, as in the paper: texels of a dark layer a
+    /// millimetre below, too.
+    bool of_own_surface = true;
 };
 
 using Gather = std::variant<OwnTexel, Bilinear, NearestTexels>;

@@ -3,6 +3,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <iterator>
+#include <numeric>
 
 #include "shlm/face_charts.h"
 #include "shlm/texel_layout.h"
@@ -18,10 +19,19 @@ std::vector<TexelChart> charts_at_size(const Scene& scene, std::span<const Light
     std::vector<std::vector<TexelChart>> of_instance(scene.instance.size());
     tbb::parallel_for(std::size_t{0}, of_instance.size(), [&](std::size_t i) {
         const common::MeshInstance& instance = scene.instance[i];
-        if (placed_by_uv(uv[i], placement))
-            of_instance[i].push_back(uv_chart(scene, instance, uv[i]));
-        else if (placed_by_face(uv[i], placement))
-            of_instance[i] = face_charts(scene, instance, texel_size);
+        std::vector<std::uint32_t> by_face;
+        if (placed_by_uv(uv[i], placement)) {
+            of_instance[i].push_back(
+                uv_chart(scene, instance, uv[i], placement == TexelPlacement::uv));
+            if (placement == TexelPlacement::automatic) by_face = uv[i].useless_triangles();
+        } else if (placed_by_face(uv[i], placement)) {
+            by_face.resize(instance.triangle_count);
+            std::iota(by_face.begin(), by_face.end(), instance.first_triangle);
+        }
+        if (by_face.empty()) return;
+        std::vector<TexelChart> charts = face_charts(
+            scene, by_face, scene.material[instance.material].double_sided, texel_size);
+        std::move(charts.begin(), charts.end(), std::back_inserter(of_instance[i]));
     });
     std::vector<TexelChart> charts;
     for (std::vector<TexelChart>& some : of_instance)
@@ -41,7 +51,7 @@ double ideal_texel_size(const Scene& scene, std::span<const LightmapUv> uv, std:
 
 bool placed_by_uv(const LightmapUv& uv, TexelPlacement placement) {
     if (uv.texcoord_set < 0 || placement == TexelPlacement::face) return false;
-    return placement == TexelPlacement::uv || !uv.overlaps();
+    return placement == TexelPlacement::uv || uv.is_lightmap();
 }
 
 bool placed_by_face(const LightmapUv& uv, TexelPlacement placement) {

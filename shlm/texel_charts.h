@@ -10,6 +10,7 @@
 namespace shlm {
 
 /// Whether an instance's texels lie by its lightmap coordinates, or by its faces. Where neither, it has none.
+/// Where coordinates are chosen automatically, triangles that they are useless for lie by face.
 [[nodiscard]] bool placed_by_uv(const LightmapUv& uv, TexelPlacement placement);
 [[nodiscard]] bool placed_by_face(const LightmapUv& uv, TexelPlacement placement);
 

@@ -57,10 +57,23 @@ struct TexelSums {
     double area = 0;
     Imath::V3d center{0, 0, 0};  ///< times area
     Imath::V3d normal{0, 0, 0};  ///< times area
+    std::uint32_t piece = 0;
+    double piece_lead = 0;  ///< area of `piece` less what others have taken from it
+
+    /// Area of a piece is set off against that of others: what more than half is of is left (Boyer and Moore,
+    /// "MJRTY", 1991).
+    void count(std::uint32_t of, double part) {
+        if (of == piece) {
+            piece_lead += part;
+        } else if ((piece_lead -= part) < 0) {
+            piece = of;
+            piece_lead = -piece_lead;
+        }
+    }
 };
 
-/// Adds the parts of one triangle to the texels of its region's front.
-void add_triangle(const Scene& scene, std::uint32_t index, const TriangleTexels& placed,
+/// Adds the parts of one triangle, which is of `piece`, to the texels of its region's front.
+void add_triangle(const Scene& scene, std::uint32_t index, std::uint32_t piece, const TriangleTexels& placed,
                   std::span<TexelSums> texels) {
     const Point corner(placed.corner), edge_u(placed.edge_u), edge_v(placed.edge_v);
     Polygon triangle;
@@ -108,6 +121,7 @@ void add_triangle(const Scene& scene, std::uint32_t index, const TriangleTexels&
             sums.area += area;
             sums.center += to_world(m.first / m.area) * area;
             sums.normal += Imath::V3d(placed.normal) * area;
+            sums.count(piece, area);
         }
     }
 }
@@ -116,7 +130,7 @@ TexelGeometry finished(const TexelSums& sums) {
     if (!(sums.area > 0)) return {};
     const Vec3 normal(sums.normal);
     return {static_cast<float>(sums.area), Vec3(sums.center / sums.area),
-            normal.length2() > 0 ? normal.normalized() : Vec3(0, 0, 0)};
+            normal.length2() > 0 ? normal.normalized() : Vec3(0, 0, 0), sums.piece};
 }
 
 /// Triangles that have texels, region by region.
@@ -132,7 +146,8 @@ std::vector<std::uint32_t> by_region(const Scene& scene, const TexelLayout& layo
 
 }  // namespace
 
-std::vector<TexelGeometry> texel_geometry(const Scene& scene, const TexelLayout& layout) {
+std::vector<TexelGeometry> texel_geometry(const Scene& scene, const TexelLayout& layout,
+                                          const common::SurfacePieces& pieces) {
     const std::vector<std::uint32_t> triangles = by_region(scene, layout);
     std::vector<TexelGeometry> geometry(layout.texel_count());
     tbb::parallel_for(std::size_t{0}, layout.regions().size(), [&](std::size_t i) {
@@ -146,13 +161,14 @@ std::vector<TexelGeometry> texel_geometry(const Scene& scene, const TexelLayout&
         for (; triangle != triangles.end(); ++triangle) {
             const TriangleTexels& placed = layout.triangle(*triangle);
             if (placed.first_texel != region.first_texel) break;
-            add_triangle(scene, *triangle, placed, sums);
+            add_triangle(scene, *triangle, pieces.of_triangle(*triangle), placed, sums);
         }
         for (std::size_t k = 0; k < sums.size(); ++k) {
             TexelGeometry& front = geometry[region.first_texel + k];
             front = finished(sums[k]);
             if (region.both_faces)
-                geometry[region.first_texel + sums.size() + k] = {front.area, front.center, -front.normal};
+                geometry[region.first_texel + sums.size() + k] = {front.area, front.center, -front.normal,
+                                                                          front.piece};
         }
     });
     return geometry;

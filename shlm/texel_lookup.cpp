@@ -13,6 +13,14 @@ std::vector<common::Vec3> covered_centers(const PreparedTexels& texels) {
     return centers;
 }
 
+std::vector<std::uint32_t> pieces_of_covered(const PreparedTexels& texels) {
+    std::vector<std::uint32_t> pieces;
+    for (const TexelGeometry& texel : texels.geometry)
+        if (texel.area > 0) pieces.push_back(texel.piece);
+    pieces.shrink_to_fit();
+    return pieces;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> OwnTexelLookup::held_texels(const PreparedTexels& texels) {
@@ -29,7 +37,9 @@ std::vector<std::uint32_t> NearestTexelsLookup::held_texels(const PreparedTexels
 }
 
 NearestTexelsLookup::NearestTexelsLookup(const PreparedTexels& texels, NearestTexels nearest)
-    : centers_(covered_centers(texels)),
+    : pieces_(nearest.of_own_surface ? texels.pieces : nullptr),
+      piece_(nearest.of_own_surface ? pieces_of_covered(texels) : std::vector<std::uint32_t>{}),
+      centers_(covered_centers(texels)),
       index_(centers_),
       count_(nearest.count),
       max_radius_(static_cast<float>(4 * texel_width(texels.geometry))) {}

@@ -90,7 +90,8 @@ class BilinearLookup {
 };
 
 /// The nearest texels in space that look the point's way, by their areas projected onto its surface, as far
-/// as four widths of the largest texel: every point of the surface has a texel of its own that near.
+/// as four widths of the largest texel: every point of the surface has a texel of its own that near. Of the
+/// point's own surface, if NearestTexels asks for it, unless that has no texels there.
 class NearestTexelsLookup {
   public:
     NearestTexelsLookup(const PreparedTexels& texels, NearestTexels nearest);
@@ -102,20 +103,33 @@ class NearestTexelsLookup {
     void visit(const common::SurfacePoint& point, Face face, Use use) const {
         static thread_local std::vector<common::Neighbour> neighbours;  // a gather must not allocate
         neighbours.resize(count_);
-        common::NearestSet nearest(neighbours, max_radius_ * max_radius_);
-        index_.search(point.position, nearest,
-                      [&](std::uint32_t i) { return face(i).looks_the_way_of(point); });
-        for (const common::Neighbour& neighbour : nearest.found()) {
-            const TexelFace found = face(neighbour.index);
-            use(neighbour.index, found.area * found.normal.dot(point.geometric_normal));
+        const auto found_among = [&](auto accept) {
+            common::NearestSet nearest(neighbours, max_radius_ * max_radius_);
+            index_.search(point.position, nearest, accept);
+            for (const common::Neighbour& neighbour : nearest.found()) {
+                const TexelFace found = face(neighbour.index);
+                use(neighbour.index, found.area * found.normal.dot(point.geometric_normal));
+            }
+            return !nearest.found().empty();
+        };
+        if (pieces_) {
+            const std::uint32_t own = pieces_->of_triangle(point.surface.triangle);
+            if (found_among([&](std::uint32_t i) {
+                    return pieces_->meet(own, piece_[i]) && face(i).looks_the_way_of(point);
+                }))
+                return;
         }
+        found_among([&](std::uint32_t i) { return face(i).looks_the_way_of(point); });
     }
 
     [[nodiscard]] std::size_t bytes() const {
-        return centers_.capacity() * sizeof(common::Vec3) + index_.bytes();
+        return centers_.capacity() * sizeof(common::Vec3) + index_.bytes() +
+               piece_.capacity() * sizeof(std::uint32_t) + (pieces_ ? pieces_->bytes() : 0);
     }
 
   private:
+    std::shared_ptr<const TexelPieces> pieces_;  ///< none where whichever are nearest are asked for
+    std::vector<std::uint32_t> piece_;           ///< of each texel; none likewise
     std::vector<common::Vec3> centers_;
     common::FlannIndex index_;
     std::size_t count_;

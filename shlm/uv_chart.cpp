@@ -1,6 +1,7 @@
 #include "shlm/uv_chart.h"
 
 #include <cmath>
+#include <span>
 
 namespace shlm {
 namespace {
@@ -11,11 +12,10 @@ using common::Vec2;
 
 /// Mean length in the world of a unit step along u and along v, weighted by area. In double: positions may be
 /// 1e18 apart, and lightmap coordinates as near to each other as floats can be.
-Imath::V2d mean_stretch(const Scene& scene, const MeshInstance& instance, int set) {
+Imath::V2d mean_stretch(const Scene& scene, std::span<const std::uint32_t> triangles, int set) {
     Imath::V2d sum(0, 0);
     double area = 0;
-    for (std::uint32_t t = instance.first_triangle; t < instance.first_triangle + instance.triangle_count;
-         ++t) {
+    for (const std::uint32_t t : triangles) {
         const auto [a, b, c] = scene.triangle[t];
         const auto& uv = scene.texcoord[set];
         const Imath::V2d origin(uv[a]), duv1 = Imath::V2d(uv[b]) - origin, duv2 = Imath::V2d(uv[c]) - origin;
@@ -34,25 +34,25 @@ Imath::V2d mean_stretch(const Scene& scene, const MeshInstance& instance, int se
 
 }  // namespace
 
-TexelChart uv_chart(const Scene& scene, const MeshInstance& instance, const LightmapUv& uv) {
-    const Imath::V2d stretch = mean_stretch(scene, instance, uv.texcoord_set);
+TexelChart uv_chart(const Scene& scene, const MeshInstance& instance, const LightmapUv& uv,
+                    bool with_overlapping) {
+    TexelChart chart;
+    chart.triangle = uv.placed_triangles(instance, with_overlapping);
+    const Imath::V2d stretch = mean_stretch(scene, chart.triangle, uv.texcoord_set);
     const Imath::V2d size(uv.bounds.size());
     const double aspect = (stretch.x * size.x) / (stretch.y * size.y);
-    const double area = uv.area / uv.covered_fraction;
+    const double placed_area = uv.area - uv.collapsed.area - (with_overlapping ? 0 : uv.overlapping.area);
+    const double area = placed_area / (with_overlapping ? uv.covered_fraction : uv.covered_apart);
 
-    TexelChart chart;
     chart.width = std::sqrt(area * aspect);
     chart.height = std::sqrt(area / aspect);
     chart.both_faces = scene.material[instance.material].double_sided;
-    chart.triangle.reserve(instance.triangle_count);
-    chart.corner.reserve(instance.triangle_count);
+    chart.corner.reserve(chart.triangle.size());
     const auto in_unit_square = [&](std::uint32_t vertex) {
         return (scene.texcoord[uv.texcoord_set][vertex] - uv.bounds.min) / uv.bounds.size();
     };
-    for (std::uint32_t t = instance.first_triangle; t < instance.first_triangle + instance.triangle_count;
-         ++t) {
+    for (const std::uint32_t t : chart.triangle) {
         const auto [a, b, c] = scene.triangle[t];
-        chart.triangle.push_back(t);
         chart.corner.push_back({in_unit_square(a), in_unit_square(b), in_unit_square(c)});
     }
     return chart;

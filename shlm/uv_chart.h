@@ -6,9 +6,10 @@
 
 namespace shlm {
 
-/// The rectangle is that around the coordinates; its sides in the world are those that make texels as square
-/// there as the coordinates allow. `uv.texcoord_set` is 0 or 1.
+/// Of the triangles that the coordinates place, the overlapping ones among them or not. The rectangle is that
+/// around the coordinates; its sides in the world are those that make texels as square there as the
+/// coordinates allow. `uv.texcoord_set` is 0 or 1.
 [[nodiscard]] TexelChart uv_chart(const common::Scene& scene, const common::MeshInstance& instance,
-                                  const LightmapUv& uv);
+                                  const LightmapUv& uv, bool with_overlapping);
 
 }  // namespace shlm

@@ -12,7 +12,7 @@ import charts
 import matplotlib.pyplot as plt
 from comparison import Comparison
 
-LIGHT_MAP, FLANN, GRID = "shlm/L2/radiance/knn4", "photonmap/flann/k50/disc", "photonmap/grid/r0.003/disc"
+LIGHT_MAP, FLANN, GRID = "shlm/L2/radiance/surface4", "photonmap/flann/k50/disc", "photonmap/grid/r0.003/disc"
 CONTEXT = {"threads": 2, "seed": 1, "settings": "s", "machine": "m", "compiler": "c", "libraries": {"embree": "3", "flann": "1"}, "commit": "x"}
 NAMES = {"insert", "gather", "bytes", "memory-wall", "time-to-map"}
 WALL = 20e9

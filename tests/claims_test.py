@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "bench" / "report"))
 from baselines import GATHER_US, MAP_SECONDS, answers_as_the_reference, strongest
 from billion_hits import billion_hits
 from claims import constant_gather, constant_insert, constant_memory, faster_gather, tracing_speed, verdict_by_spread
-from comparison import INCREMENTAL, LIGHT_MAP, PHOTON_MAP, Comparison
+from comparison import INCREMENTAL, LIGHT_MAP, PAPER_LIGHT_MAP, PHOTON_MAP, Comparison
 from memory_wall import growth, wall_bytes
 from report import images
 from study_claims import converges, crossing_words, normal_maps
@@ -86,6 +86,13 @@ class Compared(unittest.TestCase):
         self.assertEqual(verdict((2, 2), (0.5, 0.5)), "conditional")
         self.assertEqual(verdict((0.5, 2), (0.5, 2)), "conditional")
         self.assertEqual(verdict((1, 1), (1, 1)), "refuted")  # no faster within the noise
+
+    def test_the_papers_gather_is_judged_by_itself(self):
+        rows = [row(LIGHT_MAP, 10**4, gather_us_per_query=5.0), row(PAPER_LIGHT_MAP, 10**4, gather_us_per_query=0.1),
+                row(INCREMENTAL, 10**4), row(PHOTON_MAP, 10**4)]
+        both = comparison(rows)
+        self.assertEqual(faster_gather(both, None).verdict, "refuted")
+        self.assertEqual(faster_gather(both.judging(PAPER_LIGHT_MAP), None).verdict, "confirmed")
 
     def test_making_room_is_part_of_the_time(self):
         rows = [row(LIGHT_MAP, 1000, making_room_seconds=2), row(INCREMENTAL, 1000), row(PHOTON_MAP, 1000)]

@@ -139,8 +139,8 @@ TEST_F(BadOption, MoreThanFitsInMemory) {
                    {"photonmap/flann/k50/disc: needs", "GiB are free"});
     expect_refusal(with({"photonmap/flann-incremental", "--hits", "1e13"}), {"needs", "GiB are free"});
     expect_refusal(with({"shlm", "--hits", "1e3", "--texels", "4e12"}),
-                   {"shlm/L2/radiance/knn4: needs", "GiB are free"});
-    expect_refusal({"info", cornell, "--texels", "4e12"}, {"shlm/L2/radiance/knn4: needs", "GiB are free"});
+                   {"shlm/L2/radiance/surface4: needs", "GiB are free"});
+    expect_refusal({"info", cornell, "--texels", "4e12"}, {"shlm/L2/radiance/surface4: needs", "GiB are free"});
 }
 
 TEST_F(BadOption, PlaceToWriteTo) {

@@ -32,7 +32,7 @@ TEST_F(Compare, WritesItsTable) {
         }
     }
     const Json& skipped = table["rows"][2];
-    EXPECT_EQ(skipped["method"], "shlm/L2/radiance/knn4");
+    EXPECT_EQ(skipped["method"], "shlm/L2/radiance/surface4");
     EXPECT_TRUE(skipped["skipped"].get<std::string>().starts_with("needs "));
 
     const std::string csv = text_of(out + "/compare.csv");

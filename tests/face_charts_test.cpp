@@ -183,13 +183,20 @@ TEST(FaceCharts, RepeatedVerticesMakeNoDifference) {
         ASSERT_EQ(of_a.geometry[i].area, of_b.geometry[i].area);
 }
 
+/// Of all triangles of the scene.
+std::vector<TexelChart> charts_of_all(const Scene& scene, double texel_size) {
+    std::vector<std::uint32_t> all(scene.triangle.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return shlm::face_charts(scene, all, false, texel_size);
+}
+
 TEST(FaceCharts, ATriangleByItselfCoversHalfItsRectangle) {
     Mesh mesh;
     mesh.position = {{0, 0, 0}, {5, 0, 0}, {1, 0, 2}};
     mesh.triangle = {{0, 1, 2}};
     mesh.texcoord[1].assign(3, Vec2(0, 0));
     const Scene scene = scene_of(mesh);
-    const auto charts = shlm::face_charts(scene, scene.instance[0], 0.01);
+    const auto charts = charts_of_all(scene, 0.01);
     ASSERT_EQ(charts.size(), 1u);
     EXPECT_NEAR(charts[0].width * charts[0].height, 2 * surface_area(scene), 1e-6);
 }
@@ -197,7 +204,7 @@ TEST(FaceCharts, ATriangleByItselfCoversHalfItsRectangle) {
 TEST(FaceCharts, FillAtLeastHalfTheirRectangles) {
     const Scene scene = scene_of(frame());
     double rectangles = 0;
-    for (const TexelChart& chart : shlm::face_charts(scene, scene.instance[0], 0.001))
+    for (const TexelChart& chart : charts_of_all(scene, 0.001))
         rectangles += chart.width * chart.height;
     EXPECT_LE(rectangles, 2 * surface_area(scene));
 }
@@ -214,7 +221,7 @@ TEST(FaceCharts, WallsThatMeetOrFaceApartAreNotJoined) {
 TEST(FaceCharts, BendNoFurtherThanHalfATexel) {
     const Scene scene = scene_of(cylinder(200));
     constexpr double texel_size = 0.02;
-    for (const TexelChart& chart : shlm::face_charts(scene, scene.instance[0], texel_size)) {
+    for (const TexelChart& chart : charts_of_all(scene, texel_size)) {
         const Vec3& normal = scene.geometric_normal[chart.triangle.front()];
         double least = 1e30, most = -1e30;
         for (const std::uint32_t t : chart.triangle) {

@@ -245,7 +245,7 @@ TEST(FitCandidates, WhoseBlocksChangeWithHitsAreAloneInTheirChains) {
 TEST(FitCosts, AreCarriedOnToLightMapsThatWereNotMeasured) {
     const std::vector<Candidate> candidates = {{CandidateKind::light_map, "L2/radiance", "own", 1024},
                                                {CandidateKind::light_map, "L2/radiance", "own", 4096},
-                                               {CandidateKind::light_map, "L2/radiance", "knn4", 4096}};
+                                               {CandidateKind::light_map, "L2/radiance", "surface4", 4096}};
     std::vector<PilotSample> samples(3);
     samples[0].halves.a = samples[0].halves.b = {common::Rgb(1)};
     samples[0].cost = {.hits = 1e6, .trace_seconds = 1, .build_seconds = 0.5, .bytes = 1000};

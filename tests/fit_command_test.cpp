@@ -230,7 +230,7 @@ TEST_F(Fit, ListsTheGrid) {
     std::istringstream lines(ended.out);
     std::set<std::string> names;
     for (std::string line; std::getline(lines, line);) names.insert(line);
-    EXPECT_TRUE(names.contains("shlm/L2/radiance/knn4/t65536/h0/half"));
+    EXPECT_TRUE(names.contains("shlm/L2/radiance/surface4/t65536/h0/half"));
     EXPECT_TRUE(names.contains("photonmap/compact/k64/epanechnikov"));
     EXPECT_GT(names.size(), 100u);
 }

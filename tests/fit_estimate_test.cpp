@@ -365,7 +365,7 @@ std::vector<Candidate> two_chains() {
     for (const double texels : {1024.0, 4096.0, 16384.0, 65536.0})
         all.push_back({CandidateKind::light_map, "L2/radiance", "own", texels});
     for (const double texels : {1024.0, 4096.0})
-        all.push_back({CandidateKind::light_map, "L2/radiance", "knn4", texels});
+        all.push_back({CandidateKind::light_map, "L2/radiance", "surface4", texels});
     return all;
 }
 

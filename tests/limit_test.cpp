@@ -220,7 +220,7 @@ TEST_F(Limit, SaysItsRatiosAsJson) {
     }
     EXPECT_GE(all.at("hits"), 20000);
     EXPECT_EQ(all.at("differing_rays"), 0);
-    EXPECT_EQ(all.at("light_map"), "shlm/L2/radiance/knn4");
+    EXPECT_EQ(all.at("light_map"), "shlm/L2/radiance/surface4");
     EXPECT_EQ(all.at("photon_map"), "photonmap/compact/k50/disc");
     EXPECT_TRUE(all.at("context").contains("commit"));
 }
@@ -236,7 +236,7 @@ TEST_F(Limit, ReplaysTheSameRunWithAnyNumberOfThreads) {
 TEST_F(Limit, SaysThemAsATable) {
     const Ended ended = run(small(cornell, {"--shlm", "shlm/L1", "--photonmap", "photonmap/flann"}));
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
-    for (const std::string part : {"Embree alone, single rays", "tracing into shlm/L1/radiance/knn4",
+    for (const std::string part : {"Embree alone, single rays", "tracing into shlm/L1/radiance/surface4",
                                    "tracing into photonmap/flann/k50/disc"})
         EXPECT_NE(ended.out.find(part), std::string::npos) << ended.out;
 }

@@ -21,9 +21,9 @@ std::string complaint(const std::string& name) {
 }
 
 TEST(MethodName, TakesDefaultsForWhatIsLeftOut) {
-    EXPECT_EQ(full_name("shlm"), "shlm/L2/radiance/knn4");
-    EXPECT_EQ(full_name("shlm/L1"), "shlm/L1/radiance/knn4");
-    EXPECT_EQ(full_name("shlm/L2/flux"), "shlm/L2/flux/knn4");
+    EXPECT_EQ(full_name("shlm"), "shlm/L2/radiance/surface4");
+    EXPECT_EQ(full_name("shlm/L1"), "shlm/L1/radiance/surface4");
+    EXPECT_EQ(full_name("shlm/L2/flux"), "shlm/L2/flux/surface4");
     EXPECT_EQ(full_name("photonmap"), "photonmap/flann/k50/disc");
     EXPECT_EQ(full_name("photonmap/flann-incremental"), "photonmap/flann-incremental/k50/disc");
     EXPECT_EQ(full_name("photonmap/nanoflann"), "photonmap/nanoflann/k50/disc");
@@ -33,7 +33,7 @@ TEST(MethodName, TakesDefaultsForWhatIsLeftOut) {
 
 TEST(MethodName, StaysAsItIsWhereItIsFull) {
     for (const char* name :
-         {"shlm/L0/normalised/own", "shlm/L4/radiance/bilinear", "shlm/L2/radiance/knn8/t65536",
+         {"shlm/L0/normalised/own", "shlm/L4/radiance/bilinear", "shlm/L2/radiance/knn8/t65536", "shlm/L2/radiance/surface8/t65536",
           "shlm/L2/radiance/own/h0", "shlm/L2/radiance/bilinear/t64/h28", "shlm/L2/radiance/knn4/face",
           "shlm/L2/radiance/knn4/uv/t64/h0", "shlm/H4/radiance/own", "shlm/YL2/radiance/own/half",
           "shlm/a2.5/normalised/own/face/t64", "shlm/a2/normalised/bilinear",
@@ -84,7 +84,7 @@ TEST(MethodName, EveryComplaintNamesTheOptionAndTheChoices) {
              {"oak", {"'oak'", "shlm", "photonmap"}},
              {"shlm/L3", {"'L3'", "L0", "L1", "L2", "L4"}},
              {"shlm/L2/power", {"'power'", "radiance", "flux", "normalised"}},
-             {"shlm/L2/radiance/knn0", {"'knn0'", "own", "bilinear", "knnK"}},
+             {"shlm/L2/radiance/knn0", {"'knn0'", "own", "bilinear", "surfaceK", "knnK"}},
              {"shlm/L2/radiance/knn4x", {"'knn4x'"}},
              {"shlm/L2/radiance/own/65536", {"'65536'", "uv", "face", "t65536"}},
              {"shlm/L2/radiance/own/t64/face", {"'face'"}},

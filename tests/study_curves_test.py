@@ -71,7 +71,7 @@ class SettledPoints(unittest.TestCase):
             return types.SimpleNamespace(hits=hits, run=run)
 
         points = tuple(point(hits) for hits in (1e4, 1e5, 1e6))
-        for name, settled in (("shlm/L2/radiance/knn4", 2), ("shlm/L2/radiance/knn4/h10", 3), (PHOTONS, 3)):
+        for name, settled in (("shlm/L2/radiance/surface4", 2), ("shlm/L2/radiance/surface4/h10", 3), (PHOTONS, 3)):
             self.assertEqual(len(Curve(parse(name), points).settled_points), settled)
 
 

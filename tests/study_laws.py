@@ -15,7 +15,7 @@ from study_methods import parse
 from synthetic_study import Law
 
 SIGNIFICANCE = 1e-6  # chance that a correct program fails one bound
-SHLM, PHOTONS = "shlm/L2/radiance/knn4", "photonmap/flann/k50/disc"
+SHLM, PHOTONS = "shlm/L2/radiance/surface4", "photonmap/flann/k50/disc"
 
 
 def z_for(significance):

@@ -44,8 +44,8 @@ class Reports(Folder):
     def test_whole_report(self):
         methods = {
             SHLM: light_map_law(),
-            "shlm/L0/normalised/knn4": light_map_law(4e-4),
-            "shlm/L2/radiance/knn4/t16384": light_map_law(1e-3, 100),
+            "shlm/L0/normalised/surface4": light_map_law(4e-4),
+            "shlm/L2/radiance/surface4/t16384": light_map_law(1e-3, 100),
             PHOTONS: fixed_k_law(),
             "photonmap/flann/r0.01/disc": radius_law(),
         }

@@ -22,7 +22,8 @@ using Model = shlm::TexelModel<0, shlm::ShWeight::normalised>;
 using LightMap = shlm::HarmonicMap<Model>;
 
 const Material plain = diffuse(Rgb(0.5f, 0.5f, 0.5f));
-const Gather all_gathers[] = {OwnTexel{}, Bilinear{}, NearestTexels{}, NearestTexels{1}};
+const Gather all_gathers[] = {OwnTexel{}, Bilinear{}, NearestTexels{}, NearestTexels{1},
+                              NearestTexels{4, false}};
 
 /// A map whose texel i holds `value(i)` in red, twice and three times as much in green and blue. Texels that
 /// nothing covers stay dark.
@@ -375,7 +376,8 @@ TEST(NearestTexels, WeighByProjectedArea) {
 }
 
 /// The same answer, from all texels one after the other.
-double nearest_by_search(const PreparedTexels& texels, std::size_t count, const SurfacePoint& point) {
+double nearest_by_search(const PreparedTexels& texels, const NearestTexels& gather,
+                         const SurfacePoint& point) {
     float largest_area = 0;
     std::vector<std::pair<double, std::uint32_t>> candidates;
     for (std::uint32_t i = 0; i < texels.geometry.size(); ++i) {
@@ -383,11 +385,14 @@ double nearest_by_search(const PreparedTexels& texels, std::size_t count, const 
         largest_area = std::max(largest_area, texel.area);
         if (texel.area == 0 || texel.normal.dot(point.geometric_normal) <= common::same_surface_cosine)
             continue;
+        if (gather.of_own_surface &&
+            !texels.pieces->meet(texel.piece, texels.pieces->of_triangle(point.surface.triangle)))
+            continue;
         candidates.emplace_back((texel.center - point.position).length(), i);
     }
     std::sort(candidates.begin(), candidates.end());
     double sum = 0, weights = 0;
-    for (std::size_t i = 0; i < std::min(count, candidates.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(gather.count, candidates.size()); ++i) {
         const auto& [distance, index] = candidates[i];
         if (distance > 4 * std::sqrt(largest_area)) break;
         const TexelGeometry& texel = texels.geometry[index];
@@ -413,18 +418,86 @@ TEST(NearestTexels, AreTheNearestThatLookThePointsWay) {
     constexpr unsigned seed = 2;
     std::mt19937 engine(seed);
     std::uniform_real_distribution<float> uniform(0, 1);
-    for (const std::size_t count : {1, 4, 8}) {
-        const LightMap map = map_with(texels, NearestTexels{count}, odd_value);
+    for (const NearestTexels& gather :
+         {NearestTexels{1, false}, NearestTexels{4, false}, NearestTexels{8, false}, NearestTexels{1},
+          NearestTexels{4}, NearestTexels{8}}) {
+        const LightMap map = map_with(texels, gather, odd_value);
         for (int i = 0; i < 1000; ++i) {
             const float r1 = uniform(engine), r2 = uniform(engine);
             const Vec2 uv = common::sample_triangle(r1, r2);
             const SurfaceId at{static_cast<std::uint32_t>(engine() % scene.triangle.size()), uv.x, uv.y};
             const SurfacePoint point = i % 2 ? front_of(scene, at) : back_of(scene, at);
-            const double expected = nearest_by_search(texels, count, point);
+            const double expected = nearest_by_search(texels, gather, point);
             ASSERT_NEAR(map.irradiance(point).x, expected, 1e-4 * expected)
-                << count << " nearest, seed " << seed;
+                << gather.count << " nearest" << (gather.of_own_surface ? " of the own surface" : "")
+                << ", seed " << seed;
         }
     }
+}
+
+/// A lit floor at z = 0 over a dark one this far below; texels of both are a tenth wide.
+struct Layers {
+    Scene scene;
+    PreparedTexels texels;
+    std::uint32_t first_below;
+
+    explicit Layers(float depth)
+        : scene(both(depth)),
+          texels(texels_of(scene, 200)),
+          first_below(texels.layout.regions()[1].first_texel) {}
+
+    static Scene both(float depth) {
+        Scene scene = floor_of(plain);
+        add(scene, quad({0, 0, -depth}, {1, 0, 0}, {0, 1, 0}), plain);
+        return scene;
+    }
+
+    [[nodiscard]] float least_above(const NearestTexels& gather) const {
+        const LightMap map =
+            map_with(texels, gather, [&](std::uint32_t texel) { return texel < first_below ? 1 : 0; });
+        float least = 1;
+        for_points_of_square([&](float s, float t) {
+            least = std::min(least, map.irradiance(front_of(scene, on_quad(0, s, t))).x);
+        });
+        return least;
+    }
+};
+
+TEST(NearestTexels, OfTheOwnSurfaceKnowNoLayerBehind) {
+    for (const float depth : {1e-5f, 1e-3f, 0.01f, 0.05f}) {
+        const Layers layers(depth);
+        EXPECT_EQ(layers.least_above(NearestTexels{4}), 1) << depth;
+        EXPECT_EQ(layers.least_above(NearestTexels{12}), 1) << depth;
+        EXPECT_LE(layers.least_above(NearestTexels{4, false}), 0.75f)
+            << depth << ": the test would pass anything";
+    }
+}
+
+TEST(NearestTexels, OfTheOwnSurfaceGoOverEdgesThatDoNotBendFar) {
+    // Facets 60 degrees apart, an instance each: what is beyond the edge is the same surface.
+    Scene scene;
+    add(scene, quad({-1, 0, 0}, {1, 0, 0}, {0, 1, 0}), plain);
+    add(scene, quad({0, 0, 0}, {0.5f, 0, std::sqrt(0.75f)}, {0, 1, 0}), plain);
+    const PreparedTexels texels = texels_of(scene, 128);
+    const std::uint32_t second = texels.layout.regions()[1].first_texel;
+    const LightMap map =
+        map_with(texels, NearestTexels{}, [&](std::uint32_t texel) { return texel < second ? 1 : 5; });
+    const float at_the_edge = map.irradiance(front_of(scene, on_quad(0, 0.999f, 0.5f))).x;
+    EXPECT_GT(at_the_edge, 1.5f);
+    EXPECT_LT(at_the_edge, 4);
+}
+
+TEST(NearestTexels, OfTheOwnSurfaceAreThoseUnderItWhereItHasNone) {
+    // Shreds far smaller than a texel share one by face. Nearly all of it is of the larger of two.
+    Scene scene = floor_of(plain);
+    Mesh shreds = joined(quad({5, 0, 0}, {2e-3f, 0, 0}, {0, 2e-3f, 0}),
+                         quad({5.003f, 0, 0}, {1e-3f, 0, 0}, {0, 1e-3f, 0}));
+    for (auto& texcoord : shreds.texcoord) texcoord.clear();
+    add(scene, shreds, plain);
+    const PreparedTexels texels(scene, shlm::find_lightmap_uv(scene), 100, shlm::TexelPlacement::automatic);
+    const LightMap map = map_of_one(texels, NearestTexels{}, 3);
+    for (const std::uint32_t shred : {2, 4})
+        EXPECT_FLOAT_EQ(map.irradiance(front_of(scene, on_quad(shred, 0.3f, 0.6f))).x, 3) << shred;
 }
 
 TEST(NearestTexels, HoldCoveredTexelsOnlyWithTheirCentresAndIndex) {
@@ -439,7 +512,9 @@ TEST(NearestTexels, HoldCoveredTexelsOnlyWithTheirCentresAndIndex) {
     ASSERT_LT(static_cast<double>(centers.size()), 0.6 * static_cast<double>(texels.layout.texel_count()));
     const LightMap map = map_of_one(texels, NearestTexels{});
     ASSERT_EQ(map.texels().size(), centers.size());
-    const std::size_t own = centers.size() * (sizeof(map.texels()[0]) + sizeof(Vec3));
+    const std::size_t own =
+        centers.size() * (sizeof(map.texels()[0]) + sizeof(Vec3) + sizeof(std::uint32_t)) +
+        texels.pieces->bytes();
     // The index is measured at the allocator, which rounds as it likes.
     const auto index = static_cast<double>(common::FlannIndex(centers).bytes());
     ASSERT_GT(index, 0);

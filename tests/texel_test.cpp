@@ -25,7 +25,9 @@ TexelLayout layout_of(const Scene& scene, std::size_t wanted) {
 struct Texels {
     Texels(const Scene& scene, std::size_t wanted) : Texels(scene, shlm::find_lightmap_uv(scene), wanted) {}
     Texels(const Scene& scene, std::vector<LightmapUv> examined, std::size_t wanted)
-        : uv(std::move(examined)), layout(scene, shlm::texel_charts(scene, uv, shlm::TexelPlacement::uv, wanted), wanted), geometry(shlm::texel_geometry(scene, layout)) {}
+        : uv(std::move(examined)),
+          layout(scene, shlm::texel_charts(scene, uv, shlm::TexelPlacement::uv, wanted), wanted),
+          geometry(shlm::texel_geometry(scene, layout, common::SurfacePieces(scene))) {}
 
     std::vector<LightmapUv> uv;
     TexelLayout layout;
@@ -116,7 +118,8 @@ Scene scene_of(const Mesh& mesh, const Material& material = plain) {
 
 /// Triangles along something: fewer where each takes long.
 int few_or(int many) {
-    return static_cast<int>(count_for(static_cast<std::uint64_t>(many), static_cast<std::uint64_t>(many) / 5));
+    return static_cast<int>(
+        count_for(static_cast<std::uint64_t>(many), static_cast<std::uint64_t>(many) / 5));
 }
 
 TEST(TexelGeometry, AreasAddUpToTheSurface) {
@@ -126,7 +129,8 @@ TEST(TexelGeometry, AreasAddUpToTheSurface) {
                          "both faces");
     expect_whole_surface(scene_of(shaken_grid(20, 0.4, 1)), counts, "shaken grid");
     expect_whole_surface(scene_of(slivers(few_or(1000))), counts, "slivers");
-    expect_whole_surface(scene_of(shaken_grid(few_or(150), 0.3, 2)), counts, "triangles smaller than a texel");
+    expect_whole_surface(scene_of(shaken_grid(few_or(150), 0.3, 2)), counts,
+                         "triangles smaller than a texel");
 }
 
 TEST(TexelGeometry, AreasAddUpForChartsOffTheGrid) {
@@ -347,6 +351,125 @@ TEST(LightmapUv, MeasuresOverlapOfTrianglesSmallerThanItsGrid) {
     mesh.texcoord[0].clear();
     mesh = joined(joined(mesh, sheet), sheet);
     EXPECT_NEAR(shlm::find_lightmap_uv(scene_of(mesh))[0].overlapping_area, 2, 0.1);
+}
+
+TEST(LightmapUv, SmallOverlapsOfAHugeMeshAreFound) {
+    // A table top on a floor 10,000 times as large.
+    const std::vector<Vec2> island = {{0.25f, 0.5f}, {0.255f, 0.5f}, {0.255f, 0.51f}, {0.25f, 0.51f}};
+    const Scene scene =
+        scene_of(joined(with_lightmap_uv(quad({0, 0, 0}, {1, 0, 0}, {0, 2, 0}), left_half),
+                        with_lightmap_uv(quad({5, 0, 0}, {0.01f, 0, 0}, {0, 0.02f, 0}), island)));
+    const LightmapUv uv = shlm::find_lightmap_uv(scene)[0];
+    EXPECT_EQ(uv.overlapping.triangle, (std::vector<std::uint32_t>{2, 3})) << "the smaller island";
+    EXPECT_NEAR(uv.overlapping.area, 2e-4, 1e-8);
+    EXPECT_TRUE(uv.is_lightmap());
+}
+
+TEST(LightmapUv, RoundingWhereChartsTouchIsNoOverlap) {
+    // Charts in thirds and sevenths of the unit square, their borders rounded on their own.
+    Mesh mesh;
+    for (int row = 0; row < 7; ++row)
+        for (int column = 0; column < 3; ++column) {
+            const auto u = [&](int i) { return static_cast<float>(i) / 3; };
+            const auto v = [&](int i) { return 1 - (7 - static_cast<float>(i)) * (1.0f / 7); };
+            const float left = u(column), right = left + 1.0f / 3, low = v(row), high = low + 1.0f / 7;
+            const Mesh chart =
+                with_lightmap_uv(quad({5.0f * static_cast<float>(column), 5.0f * static_cast<float>(row), 0},
+                                      {1, 0, 0}, {0, 1, 0}),
+                                 {{left, low}, {right, low}, {right, high}, {left, high}});
+            mesh = mesh.position.empty() ? chart : joined(mesh, chart);
+        }
+    const LightmapUv uv = shlm::find_lightmap_uv(scene_of(mesh))[0];
+    EXPECT_EQ(uv.overlapping_area, 0);
+    EXPECT_TRUE(uv.overlapping.triangle.empty());
+    EXPECT_TRUE(uv.is_lightmap());
+}
+
+TEST(LightmapUv, CollapsedCoordinatesAreFound) {
+    const Mesh good = with_lightmap_uv(quad({0, 0, 0}, {1, 0, 0}, {0, 2, 0}), left_half);
+    const auto with = [&](const std::vector<Vec2>& uv) {
+        return shlm::find_lightmap_uv(
+            scene_of(joined(good, with_lightmap_uv(quad({5, 0, 0}, {1, 0, 0}, {0, 1, 0}), uv))))[0];
+    };
+    const std::vector<Vec2> point(4, Vec2(0.7f, 0.5f)),
+        line = {{0.7f, 0.1f}, {0.7f, 0.1f}, {0.7f, 0.9f}, {0.7f, 0.9f}},
+        speck = {{0.7f, 0.5f}, {0.71f, 0.5f}, {0.71f, 0.51f}, {0.7f, 0.51f}},
+        small = {{0.7f, 0.5f}, {0.75f, 0.5f}, {0.75f, 0.55f}, {0.7f, 0.55f}};
+    for (const auto& uv : {point, line, speck}) {
+        EXPECT_EQ(with(uv).collapsed.triangle, (std::vector<std::uint32_t>{2, 3}));
+        EXPECT_NEAR(with(uv).collapsed.area, 1, 1e-6);
+        EXPECT_TRUE(with(uv).is_lightmap());
+    }
+    EXPECT_TRUE(with(small).collapsed.triangle.empty())
+        << "a hundredth of the median density is coarse, but some";
+}
+
+TEST(LightmapUv, CoordinatesMadeForColoursAreNoLightmap) {
+    // A palette: each face has its colour's place, a few thousandths wide, in a square that is else empty.
+    Mesh mesh;
+    for (int i = 0; i < 40; ++i) {
+        const float u = 0.1f + 0.2f * static_cast<float>(i % 5), v = 0.1f + 0.2f * static_cast<float>(i % 4),
+                    w = 0.004f;
+        const Mesh face = with_lightmap_uv(quad({2.0f * static_cast<float>(i), 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                                           {{u, v}, {u + w, v}, {u + w, v + w}, {u, v + w}});
+        mesh = mesh.position.empty() ? face : joined(mesh, face);
+    }
+    const Scene scene = scene_of(mesh);
+    const auto uv = shlm::find_lightmap_uv(scene);
+    EXPECT_FALSE(uv[0].is_lightmap());
+    EXPECT_EQ(shlm::describe_useless_uv(scene, uv).size(), 1u);
+    EXPECT_FALSE(shlm::placed_by_uv(uv[0], shlm::TexelPlacement::automatic));
+}
+
+TEST(LightmapUv, MirroredIslandsKeepOneOfEachPair) {
+    Mesh mesh = with_lightmap_uv(quad({0, 0, 0}, {1, 0, 0}, {0, 2, 0}), left_half);
+    mesh = joined(mesh, with_lightmap_uv(quad({5, 0, 0}, {1, 0, 0}, {0, 1, 0}), right_half));
+    mesh = joined(mesh, with_lightmap_uv(quad({9, 0, 0}, {1, 0, 0}, {0, 1, 0}), right_half));
+    const LightmapUv uv = shlm::find_lightmap_uv(scene_of(mesh))[0];
+    EXPECT_EQ(uv.overlapping.triangle, (std::vector<std::uint32_t>{4, 5}));
+    EXPECT_TRUE(uv.is_lightmap());
+}
+
+TEST(LightmapUv, AreExaminedInTimeWhereAllTrianglesAreInOnePlace) {
+    // A brick texture, 20,000 times: compared each with each, 2e8 pairs would be kept.
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < 20'000; ++i) {
+        const float x = 2 * static_cast<float>(i);
+        for (const Vec2& corner : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1)}) {
+            mesh.position.emplace_back(x + corner.x, corner.y, 0.0f);
+            mesh.texcoord[1].push_back(corner);
+        }
+        mesh.triangle.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const LightmapUv uv = shlm::find_lightmap_uv(scene_of(mesh))[0];
+    EXPECT_NEAR(uv.overlapping_area, uv.area, 1e-3 * uv.area);
+    EXPECT_FALSE(uv.is_lightmap());
+}
+
+/// The texels of a scene by what suits each triangle cover all of its surface.
+void expect_texels_everywhere(const Scene& scene) {
+    const auto uv = shlm::find_lightmap_uv(scene);
+    const TexelLayout layout(scene, shlm::texel_charts(scene, uv, shlm::TexelPlacement::automatic, 1000),
+                             1000);
+    const auto geometry = shlm::texel_geometry(scene, layout, common::SurfacePieces(scene));
+    double area = 0;
+    for (const common::MeshInstance& instance : scene.instance) area += surface_area(scene, instance);
+    EXPECT_NEAR(area_of(geometry), area, 1e-5 * area);
+    for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) EXPECT_GT(layout.triangle(t).width, 0u) << t;
+}
+
+TEST(TexelLayout, UselessCoordinatesHaveTexelsByFace) {
+    Mesh mesh = with_lightmap_uv(quad({0, 0, 0}, {1, 0, 0}, {0, 2, 0}), left_half);
+    mesh = joined(mesh, with_lightmap_uv(quad({5, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                                         std::vector<Vec2>(4, Vec2(0.7f, 0.5f))));
+    mesh = joined(mesh, with_lightmap_uv(quad({9, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}), left_half));
+    const Scene scene = scene_of(mesh);
+    expect_texels_everywhere(scene);
+    const auto uv = shlm::find_lightmap_uv(scene);
+    EXPECT_TRUE(shlm::placed_by_uv(uv[0], shlm::TexelPlacement::automatic));
+    const auto lines = shlm::describe_useless_uv(scene, uv);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_NE(lines[0].find("1.25 m^2"), std::string::npos) << lines[0];
 }
 
 TEST(LightmapUv, MeasuresAreaAndCoverage) {

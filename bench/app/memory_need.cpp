@@ -30,7 +30,8 @@ double texel_bytes(const ShlmMethod& method) {
         if (method.basis == LightBasis::adaptive) return filled + pyramid_bytes;
         const double finished =
             sizeof(shlm::Texel<shlm::Harmonics<Model::order>>);  // halves are made from it
-        return filled + (method.in_halves ? 2 : 1) * finished + 2 * sizeof(common::Vec3) + flann_bytes;
+        return filled + (method.in_halves ? 2 : 1) * finished + 2 * sizeof(common::Vec3) +
+               sizeof(std::uint32_t) + flann_bytes;
     });
 }
 

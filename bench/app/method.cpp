@@ -116,11 +116,14 @@ const char* name_of(const std::array<std::pair<const char*, Value>, N>& choices,
 // --- light maps
 
 shlm::Gather take_gather(NameParts& parts) {
-    const std::string part = parts.take("knn4");
+    const std::string part = parts.take("surface4");
     if (part == "own") return shlm::OwnTexel{};
     if (part == "bilinear") return shlm::Bilinear{};
-    if (const auto count = count_between("knn", part, 1, most_neighbours)) return shlm::NearestTexels{*count};
-    parts.complain(part, fmt::format("own, bilinear, or knnK with K from 1 to {}", most_neighbours));
+    for (const auto& [prefix, of_own_surface] : {std::pair("surface", true), std::pair("knn", false)})
+        if (const auto count = count_between(prefix, part, 1, most_neighbours))
+            return shlm::NearestTexels{*count, of_own_surface};
+    parts.complain(part,
+                   fmt::format("own, bilinear, surfaceK or knnK with K from 1 to {}", most_neighbours));
 }
 
 /// What may follow a light map's gather: uv or face, then tTEXELS.
@@ -166,7 +169,7 @@ shlm::ShWeight take_weight(NameParts& parts, LightBasis basis) {
 
 std::string name_of(const shlm::Gather& gather) {
     if (const auto* nearest = std::get_if<shlm::NearestTexels>(&gather))
-        return fmt::format("knn{}", nearest->count);
+        return fmt::format("{}{}", nearest->of_own_surface ? "surface" : "knn", nearest->count);
     return std::holds_alternative<shlm::Bilinear>(gather) ? "bilinear" : "own";
 }
 

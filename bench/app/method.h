@@ -31,7 +31,7 @@ enum class LightBasis { L0, L1, L2, L4, H4, H6, YH4, YL2, AD, adaptive };
     }
 }
 
-/// shlm / BASIS / radiance flux normalised / own bilinear knnK [/ uv face] [/ tTEXELS] [/ hHITS] [/ half]
+/// shlm / BASIS / radiance flux normalised / own bilinear surfaceK knnK [/ uv face] [/ tTEXELS] [/ hHITS] [/ half]
 /// shlm / aPERCENT / normalised / own bilinear [/ uv face] [/ tTEXELS], adaptive
 struct ShlmMethod {
     LightBasis basis = LightBasis::L2;
@@ -82,7 +82,7 @@ struct Method {
 /// Whether one store can serve both.
 [[nodiscard]] bool fill_alike(const Method& a, const Method& b);
 
-/// Reads a name; what is left out at its end takes the default: "shlm" is shlm/L2/radiance/knn4, "photonmap"
+/// Reads a name; what is left out at its end takes the default: "shlm" is shlm/L2/radiance/surface4, "photonmap"
 /// is photonmap/flann/k50/disc. Throws InputError, naming the option and what may stand in the place that is
 /// wrong.
 [[nodiscard]] Method parse_method(const std::string& option, const std::string& name);

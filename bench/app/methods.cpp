@@ -7,14 +7,28 @@
 #include "common/core/input_error.h"
 
 namespace bench {
+namespace {
+
+std::vector<std::string> describe_trouble(const common::Scene& scene, const std::vector<shlm::LightmapUv>& uv,
+                                          shlm::TexelPlacement placement) {
+    switch (placement) {
+        case shlm::TexelPlacement::uv:
+            return shlm::describe_lightmap_trouble(scene, uv);
+        case shlm::TexelPlacement::automatic:
+            return shlm::describe_useless_uv(scene, uv);
+        case shlm::TexelPlacement::face:
+            break;
+    }
+    return {};
+}
+
+}  // namespace
 
 PreparedMethods::PreparedMethods(const LoadedScene& scene, const MethodSettings& settings)
     : scene_(&scene.scene),
       settings_(settings),
       uv_(shlm::find_lightmap_uv(scene.scene)),
-      trouble_(settings.texels.placement == shlm::TexelPlacement::uv
-                   ? shlm::describe_lightmap_trouble(scene.scene, uv_)
-                   : std::vector<std::string>{}) {
+      trouble_(describe_trouble(scene.scene, uv_, settings.texels.placement)) {
     if (settings_.max_radius == 0)
         settings_.max_radius = photonmap::default_max_radius(scene.scene.diagonal());
 }

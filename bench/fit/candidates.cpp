@@ -13,7 +13,7 @@ namespace {
 const std::vector<std::string> bases = {"L0/normalised", "AD/radiance", "YL2/radiance",
                                         "L1/radiance",   "H4/radiance", "L2/radiance",
                                         "L2/normalised", "L4/radiance", "L4/normalised"};
-const std::vector<std::string> gathers = {"own", "bilinear", "bilinear/face", "knn4", "knn8"};
+const std::vector<std::string> gathers = {"own", "bilinear", "bilinear/face", "surface4", "surface8"};
 const std::vector<std::string> sharing_bases = {"L0/normalised", "AD/radiance", "YL2/radiance", "L2/radiance",
                                                 "L4/radiance"};
 const std::vector<std::string> changing_gathers = {"bilinear", "bilinear/face"};  // blocks change with hits

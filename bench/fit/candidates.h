@@ -26,7 +26,7 @@ enum class CandidateKind {
 struct Candidate {
     CandidateKind kind;
     std::string basis;   ///< of a light map, "L2/radiance"; of a photon map its kernel
-    std::string gather;  ///< of a light map, "knn4" or "bilinear/face"; of a photon map "r" or "k"
+    std::string gather;  ///< of a light map, "surface4" or "bilinear/face"; of a photon map "r" or "k"
     double value;        ///< as the kind says
     double texels = 0;   ///< of an adaptive map: its smallest blocks
 

@@ -37,9 +37,10 @@ auto photon_map(SharedInputs& inputs, std::uint64_t hits, const photonmap::Photo
 }
 
 /// The same run `times` over: a billion hits in half a minute.
-auto light_map(SharedInputs& inputs, std::size_t texels, std::uint64_t hits = default_hits, int times = 1) {
+auto light_map(SharedInputs& inputs, std::size_t texels, std::uint64_t hits = default_hits, int times = 1,
+               const shlm::Gather& gather = shlm::NearestTexels{}) {
     PreparedMethods& methods = inputs.methods(texels);
-    shlm::Sink<shlm::PaperModel> sink(methods.texels(), shlm::NearestTexels{}, inputs.quantum());
+    shlm::Sink<shlm::PaperModel> sink(methods.texels(), gather, inputs.quantum());
     const Recording& recording = inputs.recording(hits);
     for (int i = 0; i < times; ++i) replay(recording, sink);
     return std::move(sink).finish(recording.report.watts_per_flux() / static_cast<float>(times));
@@ -169,6 +170,13 @@ void register_gather_benchmarks(SharedInputs& inputs) {
     for (const std::size_t texels : {4'096ul, 65'536ul, default_texels, 1'048'576ul})
         register_gather(inputs, fmt::format("gather/shlm/texels:{}", texels),
                         lazy([&inputs, texels] { return light_map(inputs, texels); }), of_photon_map);
+    for (const auto& [name, other] : {std::pair("knn4", shlm::Gather(shlm::NearestTexels{4, false})),
+                                      std::pair("bilinear", shlm::Gather(shlm::Bilinear{}))})
+        register_gather(inputs, fmt::format("gather/shlm-{}/texels:{}", name, default_texels),
+                        lazy([&inputs, gather = other] {
+                            return light_map(inputs, default_texels, default_hits, 1, gather);
+                        }),
+                        of_photon_map);
 }
 
 }  // namespace bench

@@ -9,7 +9,7 @@ compared (k50/disc): a grid, which takes all photons within a radius, is left ou
 from dataclasses import dataclass
 from typing import Callable
 
-from comparison import INCREMENTAL, LIGHT_MAP, MAP_COLUMNS
+from comparison import INCREMENTAL, MAP_COLUMNS
 
 
 def engine_of(method):
@@ -75,7 +75,7 @@ class Baseline:
 
     def pairs(self, comparison):
         """(scene, the light map's row, the baseline's) wherever both are measured."""
-        return [(scene, mine, theirs) for scene in comparison.scenes for mine in comparison.series(scene, LIGHT_MAP)
+        return [(scene, mine, theirs) for scene in comparison.scenes for mine in comparison.series(scene, comparison.light_map)
                 if (theirs := self.row(scene, mine["hits_asked"]))]
 
     def series(self, comparison, scene):

@@ -1,7 +1,7 @@
 """The paper's headline: a billion hits on a desktop PC, and where the photon map's memory ends."""
 
 from baselines import is_exact, one_per_engine
-from comparison import INCREMENTAL, LIGHT_MAP, count_text, map_seconds
+from comparison import INCREMENTAL, count_text, map_seconds
 from finding import Finding
 from memory_wall import bytes_text, growth, wall_bytes
 
@@ -11,10 +11,10 @@ SAYS = "Over a billion hits on a desktop PC"
 
 def light_map_text(comparison, scene):
     """Empty without a row of a billion hits."""
-    rows = [row for row in comparison.series(scene, LIGHT_MAP) if row["hits"] >= BILLION]
+    rows = [row for row in comparison.series(scene, comparison.light_map) if row["hits"] >= BILLION]
     if not rows:
         return ""
-    row, small = rows[-1], comparison.row(scene, LIGHT_MAP, BESIDE)
+    row, small = rows[-1], comparison.row(scene, comparison.light_map, BESIDE)
     def peak(r):
         return bytes_text(r["peak_growth_bytes"]) if r and "peak_growth_bytes" in r else "not measured"
 

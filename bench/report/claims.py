@@ -8,10 +8,11 @@ not touch.
 from baselines import (BYTES, GATHER_US, INSERT_AND_BUILD_NS, INSERT_NS, MAP_SECONDS, answers_as_the_reference, engine_of,
                        incremental, outcome, strongest)
 from billion_hits import billion_hits
-from comparison import LIGHT_MAP, count_text
+from comparison import count_text
 from finding import Finding, not_measured
 from memory_wall import bytes_text, light_map_peaks, peak_bound
 from study_claims import CONVERGES, NORMAL_MAPS, accuracy_crossings, converges, normal_maps
+from study_methods import REFERENCE_LIGHT_MAP
 
 NOT_MEASURED = "not measured"
 
@@ -22,7 +23,7 @@ def rows_of(comparison, method):
 
 def light_map_rows(comparison, is_counted=lambda row: True):
     """Per scene, those that count."""
-    return {scene: [row for row in comparison.series(scene, LIGHT_MAP) if is_counted(row)] for scene in comparison.scenes}
+    return {scene: [row for row in comparison.series(scene, comparison.light_map) if is_counted(row)] for scene in comparison.scenes}
 
 
 def baseline_rows(comparison, baseline, is_counted=lambda row: True):
@@ -122,7 +123,7 @@ def tracing_speed(comparison):
 
 def constant_insert(comparison):
     says, bound = "Accumulating a photon into SH coefficients takes constant time", 1.25
-    texels = max((row["texels"] for row in rows_of(comparison, LIGHT_MAP)), default=0)
+    texels = max((row["texels"] for row in rows_of(comparison, comparison.light_map)), default=0)
     def filled(row):
         return row["hits"] >= texels
 
@@ -137,7 +138,7 @@ def constant_insert(comparison):
         verdicts.append(constancy_against(own, sure_growth(theirs, INSERT_AND_BUILD_NS), bound))
         clauses.append(f"{baseline.name} {listing(spread_over_hits(theirs, INSERT_AND_BUILD_NS))}")
     short = {f"{row['scene']} {count_text(row['hits_asked'])}": row["insert_ns_per_hit"]
-             for row in rows_of(comparison, LIGHT_MAP) if not filled(row)}
+             for row in rows_of(comparison, comparison.light_map) if not filled(row)}
     warm_up = f" Shorter runs pay for the first touch of texels and buffers; ns per hit: {listing(short, '{:.0f}')}." if short else ""
     return Finding("constant-insert", says, own,
                    f"Slowest over fastest median from one hit per texel on: {listing(spreads)}; beyond the noise (bound {bound}): {listing(sure)}. "
@@ -148,7 +149,7 @@ def crossings(comparison, baseline):
     """Per scene: hits below which the baseline's map is the smaller one, by its bytes a hit at the largest size measured."""
     found = {}
     for scene in comparison.scenes:
-        light, photons = comparison.series(scene, LIGHT_MAP), baseline.series(comparison, scene)
+        light, photons = comparison.series(scene, comparison.light_map), baseline.series(comparison, scene)
         if light and photons:
             found[scene] = count_text(light[-1]["bytes"] / (photons[-1]["bytes"] / photons[-1]["hits"]))
     return found
@@ -168,13 +169,13 @@ def peak_text(comparison):
 
 def constant_memory(comparison):
     says = "Memory stays constant however many photons are traced"
-    rows = rows_of(comparison, LIGHT_MAP)
+    rows = rows_of(comparison, comparison.light_map)
     spreads = spread_over_hits(light_map_rows(comparison), BYTES)
     if not spreads:
         return Finding("constant-memory", says, "not measured yet", "needs shlm at two numbers of hits")
     bound = 1.01  # FLANN's part is measured at the allocator, whose bookkeeping varies
     own = "confirmed" if max(spreads.values()) < bound else "refuted"
-    sizes = {scene: series[0]["bytes"] / 2**20 for scene in comparison.scenes if (series := comparison.series(scene, LIGHT_MAP))}
+    sizes = {scene: series[0]["bytes"] / 2**20 for scene in comparison.scenes if (series := comparison.series(scene, comparison.light_map))}
     verdicts, clauses = [], []
     for baseline in (incremental(comparison), strongest(comparison, BYTES)):
         verdicts.append(constancy_against(own, sure_growth(baseline_rows(comparison, baseline), BYTES), bound))
@@ -192,7 +193,7 @@ def same_at_a_billion(comparison):
     """Whether a gather at 1e9 hits takes as long as at 1e5, within 5 %: verdict, text."""
     spreads, sure = {}, {}
     for scene in comparison.scenes:
-        few, many = (comparison.row(scene, LIGHT_MAP, hits) for hits in (FEW, MANY))
+        few, many = (comparison.row(scene, comparison.light_map, hits) for hits in (FEW, MANY))
         if few and many:
             (few_low, few_high), (many_low, many_high) = GATHER_US.bounds(few), GATHER_US.bounds(many)
             spreads[scene] = GATHER_US.value(many) / GATHER_US.value(few)
@@ -219,7 +220,7 @@ def constant_gather(comparison):
         verdicts.append(constancy_against(own, sure_growth(theirs, GATHER_US), bound))
         clauses.append(f"{baseline.name} {listing(spread_over_hits(theirs, GATHER_US))}")
     return Finding("constant-gather", says, own,
-                   f"Slowest over fastest median over {hits_range(rows_of(comparison, LIGHT_MAP))}: {listing(spreads)}; "
+                   f"Slowest over fastest median over {hits_range(rows_of(comparison, comparison.light_map))}: {listing(spreads)}; "
                    f"beyond the noise (bound {bound}): {listing(sure)}; {billion_text}. Photon maps: {'; '.join(clauses)}.", *verdicts)
 
 
@@ -240,19 +241,19 @@ def faster_gather(comparison, study):
     note = " It is faster below one hit per texel as well, so that this is not what decides." if faster_below and all(faster_below) else ""
     return Finding("faster-gather", says, overall,
                    f"Photon map's time per query over SHLM's, at hits per texel. {' '.join(clauses)}{note} "
-                   + (accuracy_crossings(study) if study else
+                   + (accuracy_crossings(study) if study and comparison.light_map == REFERENCE_LIGHT_MAP else
                       "The errors are not equal, so this is a statement about time alone."), *verdicts)
 
 
 def findings(comparison, study):
-    """`study`: the summary.json of a study, None without one."""
+    """Of the comparison's light map. `study`: the summary.json of a study, None without one."""
     return [
         tracing_speed(comparison),
         constant_insert(comparison),
         constant_memory(comparison),
         constant_gather(comparison),
         faster_gather(comparison, study),
-        normal_maps(study) if study else not_measured(*NORMAL_MAPS),
-        converges(study) if study else not_measured(*CONVERGES),
+        normal_maps(study, comparison.light_map) if study else not_measured(*NORMAL_MAPS),
+        converges(study, comparison.light_map) if study else not_measured(*CONVERGES),
         billion_hits(comparison),
     ]

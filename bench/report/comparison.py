@@ -2,20 +2,26 @@
 
 import json
 from collections import defaultdict
+from copy import copy
 from pathlib import Path
 
 PHOTON_MAP = "photonmap/flann/k50/disc"
 INCREMENTAL = "photonmap/flann-incremental/k50/disc"
-LIGHT_MAP = "shlm/L2/radiance/knn4"
-LIGHT_MAP_FLUX = "shlm/L2/flux/knn4"
+LIGHT_MAP = "shlm/L2/radiance/surface4"  # what "shlm" stands for
+PAPER_LIGHT_MAP = "shlm/L2/radiance/knn4"  # asked as in the paper: the nearest texels, of whatever surface
+LIGHT_MAP_FLUX = "shlm/L2/flux/surface4"
 MAP_COLUMNS = ("making_room_seconds", "trace_and_insert_seconds", "build_seconds")
 
 
 class Comparison:
-    """The rows of one compare.json, by scene, method and number of hits asked for."""
+    """The rows of one compare.json, by scene, method and number of hits asked for.
+
+    `light_map` is the one that claims are judged of.
+    """
 
     def __init__(self, folder):
         self.folder = Path(folder)
+        self.light_map = LIGHT_MAP
         with open(self.folder / "compare.json", encoding="utf-8") as file:
             document = json.load(file)
         self.context = document["context"]
@@ -24,6 +30,12 @@ class Comparison:
         for row in self.rows:
             if "skipped" not in row:
                 self._measured[row["scene"], row["method"]][row["hits_asked"]] = row
+
+    def judging(self, light_map):
+        """The same rows for claims of another light map."""
+        other = copy(self)
+        other.light_map = light_map
+        return other
 
     @property
     def scenes(self):

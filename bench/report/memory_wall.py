@@ -5,7 +5,6 @@ The peak is what a method adds to the process at its fullest: the store, what bu
 
 from dataclasses import dataclass
 
-from comparison import LIGHT_MAP
 
 ENOUGH_HITS = 1e6  # below it, a photon map's bytes do not stand out from the process's own
 
@@ -68,4 +67,4 @@ def peak_bound(row):
 
 
 def light_map_peaks(comparison, scene):
-    return peaks(comparison, scene, LIGHT_MAP)
+    return peaks(comparison, scene, comparison.light_map)

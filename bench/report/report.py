@@ -7,7 +7,7 @@ from pathlib import Path
 
 from baselines import engine_of
 from claims import findings
-from comparison import LIGHT_MAP, LIGHT_MAP_FLUX, PHOTON_MAP, Comparison, count_text
+from comparison import LIGHT_MAP, LIGHT_MAP_FLUX, PAPER_LIGHT_MAP, PHOTON_MAP, Comparison, count_text
 
 CHARTS = {
     "time-to-map": "Time until a map answers: the empty store, trace, insert, build. Dotted: tracing with no store.",
@@ -95,7 +95,10 @@ def context_lines(comparison, study):
 
 def report(comparison, study):
     lines = ["# Photon maps and spherical harmonic light maps, measured side by side", ""]
-    lines += ["## The paper's claims", "", *claims_table(comparison, study), "", STRONGEST, ""]
+    lines += ["## The paper's claims", "", f"Of {comparison.light_map}, the default.", "", *claims_table(comparison, study), "", STRONGEST, ""]
+    if PAPER_LIGHT_MAP in comparison.methods:
+        paper = comparison.judging(PAPER_LIGHT_MAP)
+        lines += [f"Of {PAPER_LIGHT_MAP}, asked as in the paper: the nearest texels are taken whatever surface they are of.", "", *claims_table(paper, study), ""]
     lines += ["## Charts", ""]
     for name, text in CHARTS.items():
         lines += [text, "", f"![{name}](charts/{name}.png)", ""]

@@ -178,7 +178,7 @@ def draw_texel_curve(axes, curves, names):
             [p.split.error for p in points],
             bands,
             style,
-            f"shlm/L2/radiance/knn4, texels varied, {hits} hits",
+            f"shlm/L2/radiance/surface4, texels varied, {hits} hits",
         )
 
 

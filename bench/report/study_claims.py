@@ -11,8 +11,7 @@ CONVERGES = ("converges", "Accumulation can go on indefinitely, to maximum conve
 SLOPE_TOLERANCE = 0.1  # from -1, for noise that falls as 1 / hits
 CLEARLY_BETTER = 4.0  # in bias^2: half of the relative bias
 TILTED = 20.0  # degrees between shading and geometric normal from which on a surface counts as tilted
-OWN_HITS = REFERENCE_LIGHT_MAP + "/h0"  # its blocks of texels shrink with the hits until texels show their own
-ORDERS = ("shlm/L1/radiance/knn4", REFERENCE_LIGHT_MAP, "shlm/L4/radiance/knn4")
+ORDERS = ("shlm/L1/radiance/surface4", "shlm/L4/radiance/surface4")
 
 
 def percent(square):
@@ -36,34 +35,39 @@ def largest(points):
 # --- converges
 
 
-def variance_slope(scene):
-    for method in (OWN_HITS, REFERENCE_LIGHT_MAP):
+def own_hits(light_map):
+    """Its blocks of texels shrink with the hits until texels show their own: this one's always do."""
+    return light_map + "/h0"
+
+
+def variance_slope(scene, light_map):
+    for method in (own_hits(light_map), light_map):
         if slope := scene["slopes"].get(method, {}).get("variance"):
             return slope["value"]
     return None
 
 
-def floor_words(name, scene, texels):
+def floor_words(name, scene, light_map, texels):
     """What the error comes down to, and from how many hits per texel on more of them are in vain."""
-    last = largest(scene["methods"][REFERENCE_LIGHT_MAP])
-    text = f"{name}: variance ~ hits^{variance_slope(scene):.2f}, error {percent(last['error'])} at {count(last['hits'])} hits"
+    last = largest(scene["methods"][light_map])
+    text = f"{name}: variance ~ hits^{variance_slope(scene, light_map):.2f}, error {percent(last['error'])} at {count(last['hits'])} hits"
     if last["bias_sq"] > 0 and last["bias_sq_band"] and last["bias_sq_band"][0] > 0:
         hits = last["hits"] * last["variance"] / last["bias_sq"]
         text += f", floor {percent(last['bias_sq'])}, where the noise is at {count(hits / texels)} hits per texel"
     return text
 
 
-def converges(summary):
+def converges(summary, light_map=REFERENCE_LIGHT_MAP):
     scenes = {
         name: scene
         for name, scene in summary["scenes"].items()
-        if REFERENCE_LIGHT_MAP in scene["methods"] and variance_slope(scene) is not None
+        if light_map in scene["methods"] and variance_slope(scene, light_map) is not None
     }
     if not scenes:
         return not_measured(*CONVERGES)
     texels = default_texels(summary)
-    noise_falls = all(abs(variance_slope(s) + 1) < SLOPE_TOLERANCE for s in scenes.values())
-    last = [largest(s["methods"][REFERENCE_LIGHT_MAP]) for s in scenes.values()]
+    noise_falls = all(abs(variance_slope(s, light_map) + 1) < SLOPE_TOLERANCE for s in scenes.values())
+    last = [largest(s["methods"][light_map]) for s in scenes.values()]
     has_floor = any(p["bias_sq_band"] and p["bias_sq_band"][0] > 0 for p in last)
     verdict = "refuted" if not noise_falls else "conditional" if has_floor else "confirmed"
     floor = f"The noise falls as 1 / hits (its slope within {SLOPE_TOLERANCE:g} of -1) over all sizes measured; what stays is the texels' blur and the truncated series, which more hits do not lower. "
@@ -71,8 +75,8 @@ def converges(summary):
         *CONVERGES,
         verdict,
         (floor if verdict == "conditional" else "")
-        + "; ".join(floor_words(name, scene, texels) for name, scene in scenes.items())
-        + f" ({REFERENCE_LIGHT_MAP}, {texels} texels; slopes of {OWN_HITS} where it was measured).",
+        + "; ".join(floor_words(name, scene, light_map, texels) for name, scene in scenes.items())
+        + f" ({light_map}, {texels} texels; slopes of {own_hits(light_map)} where it was measured).",
     )
 
 
@@ -95,18 +99,18 @@ def bias_words(points):
     return percent(value) if value > high / 4 else f"at most {percent(high)}"
 
 
-def normal_maps(summary):
+def normal_maps(summary, light_map=REFERENCE_LIGHT_MAP):
     for name, scene in summary["scenes"].items():
         methods = scene["methods"]
-        if any(m not in methods or not tilted_bias(methods[m]) for m in (REFERENCE_LIGHT_MAP, TRADITIONAL_LIGHT_MAP)):
+        if any(m not in methods or not tilted_bias(methods[m]) for m in (light_map, TRADITIONAL_LIGHT_MAP)):
             continue
-        (mine, most, points), (flat, _, _) = (tilted_bias(methods[m]) for m in (REFERENCE_LIGHT_MAP, TRADITIONAL_LIGHT_MAP))
-        measured = [(m, methods[m]) for m in (*ORDERS, REFERENCE_PHOTON_MAP) if m in methods and tilted_bias(methods[m])]
+        (mine, most, points), (flat, _, _) = (tilted_bias(methods[m]) for m in (light_map, TRADITIONAL_LIGHT_MAP))
+        measured = [(m, methods[m]) for m in (light_map, *ORDERS, REFERENCE_PHOTON_MAP) if m in methods and tilted_bias(methods[m])]
         return Finding(
             *NORMAL_MAPS,
             "confirmed" if most < flat / CLEARLY_BETTER else "refuted" if mine >= flat else "conditional",
             f"{name}, {points} points whose normal is bent by {TILTED:.0f} degrees and more, "
-            f"{count(largest(methods[REFERENCE_LIGHT_MAP])['hits'])} hits: relative RMS bias "
+            f"{count(largest(methods[light_map])['hits'])} hits: relative RMS bias "
             + ", ".join(f"{m} {bias_words(points)}" for m, points in measured)
             + f"; a traditional light map, which knows one normal, {percent(flat)} (confirmed: the light map's band is below half of that).",
         )

@@ -26,8 +26,8 @@ THEORY_TEXT = {
 SUMMED_ORDER = {"L0": 0, "L1": 1, "L2": 2, "L4": 4, "H4": 2, "H6": 2, "YH4": 2, "YL2": 2, "AD": 1}
 DEFAULT_LEAST_HITS = 100  # shlm/settings.h
 
-REFERENCE_LIGHT_MAP = "shlm/L2/radiance/knn4"
-TRADITIONAL_LIGHT_MAP = "shlm/L0/normalised/knn4"
+REFERENCE_LIGHT_MAP = "shlm/L2/radiance/surface4"  # what "shlm" stands for
+TRADITIONAL_LIGHT_MAP = "shlm/L0/normalised/surface4"
 REFERENCE_PHOTON_MAP = "photonmap/flann/k50/disc"
 
 
@@ -37,7 +37,7 @@ class Method:
     family: str
     order: int = 0  # of the spherical harmonics that are summed
     weight: str = ""  # what a hit stands for: radiance, flux, normalised
-    gather: str = ""  # own, bilinear, knn4, ...
+    gather: str = ""  # own, bilinear, surface4, knn4, ...
     placement: str = ""  # uv or face; empty: the study's default
     texels: int = 0  # 0: the study's default
     least_hits: int = 0  # texels in blocks of fewer hits share their light

@@ -13,7 +13,7 @@ REACH_NOTE = (
     "winner's."
 )
 CROSSING_NOTE = (
-    "Where shlm/L2/radiance/knn4 is smaller or more accurate than each photon map; in square brackets the band "
+    "Where shlm/L2/radiance/surface4 is smaller or more accurate than each photon map; in square brackets the band "
     "of a single crossing, from the errors alone: times are medians. 'always' and 'never' are said of the range behind them, that both were measured in. "
     "At equal bytes: the photon map of as many bytes as the light map takes, against the light map of that many "
     "hits."

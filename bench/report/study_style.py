@@ -30,10 +30,10 @@ LIGHT_MAP_COLOURS = {
     "normalised": {0: "#f0a500", 1: "#b9814a", 2: "#8a5a2b", 4: "#4d2f12"},
     "flux": {0: "#f3a6cf", 1: "#ee7fbb", 2: "#d6338a", 4: "#8d1a58"},
 }
-GATHER_DASHES = {"own": (0, (1, 1.2)), "bilinear": (0, (4, 1.5)), "knn4": "-"}
+GATHER_DASHES = {"own": (0, (1, 1.2)), "bilinear": (0, (4, 1.5)), "surface4": "-", "knn4": (0, (6, 1, 1, 1))}
 OTHER_GATHER = (0, (6, 1.5, 1, 1.5))
 KERNEL_DASHES = {"cone": (0, (4, 1.5)), "epanechnikov": (0, (1, 1.2))}
-GATHER_MARKERS = {"knn4": "^", "own": "v", "bilinear": "D"}
+GATHER_MARKERS = {"surface4": "^", "knn4": "<", "own": "v", "bilinear": "D"}
 OTHER_GATHER_MARKER = "*"
 PLACEMENT_FILLS = {"": "full", "uv": "left", "face": "right"}
 FAMILY_MARKERS = {FIXED_K: "o", GROWING_K: "s", FIXED_RADIUS: "p"}

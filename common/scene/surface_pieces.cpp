@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "common/core/joined_sets.h"
+
 namespace common {
 namespace {
 
@@ -63,27 +65,6 @@ std::vector<Edge> edges_in_order(const Scene& scene) {
     return edges;
 }
 
-/// Sets of triangles that have been joined.
-class Joined {
-  public:
-    explicit Joined(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-    /// The lowest of the set.
-    std::uint32_t first_of(std::uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = first_of(a);
-        b = first_of(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
-
 /// Calls `meet(a, b, cosine)` for the triangles on both sides of each edge: the cosine between their normals
 /// as one goes over the edge on one face of the surface, whichever way either triangle goes round.
 template <class Meet>
@@ -102,17 +83,15 @@ void for_each_meeting(const Scene& scene, std::span<const Edge> edges, Meet meet
 
 }  // namespace
 
-SurfacePieces::SurfacePieces(const Scene& scene) : piece_of_(scene.triangle.size()) {
+SurfacePieces::SurfacePieces(const Scene& scene) {
     const std::vector<Edge> edges = edges_in_order(scene);
-    Joined joined(piece_of_.size());
+    JoinedSets joined(scene.triangle.size());
     for_each_meeting(scene, edges, [&](std::uint32_t a, std::uint32_t b, float cosine) {
         if (cosine >= same_piece_cosine) joined.join(a, b);
     });
-    std::uint32_t pieces = 0;
-    for (std::uint32_t t = 0; t < piece_of_.size(); ++t) {
-        const std::uint32_t first = joined.first_of(t);
-        piece_of_[t] = first == t ? pieces++ : piece_of_[first];
-    }
+    piece_of_ = joined.numbers();
+    const std::uint32_t pieces =
+        piece_of_.empty() ? 0 : *std::max_element(piece_of_.begin(), piece_of_.end()) + 1;
 
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for_each_meeting(scene, edges, [&](std::uint32_t a, std::uint32_t b, float cosine) {

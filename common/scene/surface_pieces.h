@@ -26,7 +26,6 @@ class SurfacePieces {
 
     /// Numbered from 0 in the order of their first triangles.
     [[nodiscard]] std::uint32_t of_triangle(std::uint32_t triangle) const { return piece_of_[triangle]; }
-    [[nodiscard]] std::span<const std::uint32_t> of_triangles() const { return piece_of_; }
 
     /// Those that share an edge with it, in rising order.
     [[nodiscard]] std::span<const std::uint32_t> touching(std::uint32_t piece) const {

@@ -32,13 +32,11 @@ shlm::PreparedTexels by_face(const common::Scene& scene) {
 /// Each triangle has a chart of its own.
 shlm::PreparedTexels by_triangle(const common::Scene& scene) {
     std::vector<shlm::TexelChart> charts;
-    common::MeshInstance one = scene.instance[0];
-    one.triangle_count = 1;
-    for (; one.first_triangle < scene.triangle.size(); ++one.first_triangle)
-        charts.push_back(shlm::face_charts(scene, one, 1.0 / texels_along).front());
+    for (std::uint32_t t = 0; t < scene.triangle.size(); ++t)
+        charts.push_back(shlm::face_charts(scene, std::span(&t, 1), false, 1.0 / texels_along).front());
     shlm::PreparedTexels prepared = by_face(scene);
     prepared.layout = shlm::TexelLayout(scene, charts, texels);
-    prepared.geometry = shlm::texel_geometry(scene, prepared.layout);
+    prepared.geometry = shlm::texel_geometry(scene, prepared.layout, common::SurfacePieces(scene));
     return prepared;
 }
 

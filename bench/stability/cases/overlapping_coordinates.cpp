@@ -118,7 +118,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
                            always({0, 0, -1}));
             const auto photon_map = photon_map_of(scene, hits, within(scene, radius));
             const auto own = light_map_of<FlatModel>(texels, hits, shlm::OwnTexel{});
-            const auto nearest = light_map_of<FlatModel>(texels, hits, shlm::NearestTexels{4});
+            const auto nearest = light_map_of<FlatModel>(texels, hits, shlm::NearestTexels{4, false});
             const auto by_face = light_map_of<FlatModel>(automatic, hits, shlm::OwnTexel{});
             const auto lit = points_on(scene, lit_quad, 0, generator),
                        dark = points_on(scene, dark_quad, 0, generator);

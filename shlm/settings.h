@@ -25,9 +25,9 @@ struct Bilinear {};
 /// The texels nearest in space that look the point's way.
 struct NearestTexels {
     std::size_t count = 4;
-    /// Those of the point's own piece of surface and of pieces that share an edge with it
-    /// (common::SurfacePieces). Otherwise whichever are nearest, as in the paper: texels of a dark layer a
-    /// millimetre below, too.
+    /// Only those among them that are of the point's own piece of surface or of a piece that shares an edge
+    /// with it (common::SurfacePieces); where there is none, the nearest that are. Otherwise whichever are
+    /// nearest, as in the paper: texels of a dark layer a millimetre below, too.
     bool of_own_surface = true;
 };
 

@@ -90,8 +90,8 @@ class BilinearLookup {
 };
 
 /// The nearest texels in space that look the point's way, by their areas projected onto its surface, as far
-/// as four widths of the largest texel: every point of the surface has a texel of its own that near. Of the
-/// point's own surface, if NearestTexels asks for it, unless that has no texels there.
+/// as four widths of the largest texel: every point of the surface has a texel of its own that near. If
+/// NearestTexels asks for the own surface's, others count only where that has no texels at all so near.
 class NearestTexelsLookup {
   public:
     NearestTexelsLookup(const PreparedTexels& texels, NearestTexels nearest);
@@ -103,23 +103,27 @@ class NearestTexelsLookup {
     void visit(const common::SurfacePoint& point, Face face, Use use) const {
         static thread_local std::vector<common::Neighbour> neighbours;  // a gather must not allocate
         neighbours.resize(count_);
-        const auto found_among = [&](auto accept) {
+        const auto use_nearest = [&](auto accept, auto keep) {
             common::NearestSet nearest(neighbours, max_radius_ * max_radius_);
-            index_.search(point.position, nearest, accept);
+            index_.search(point.position, nearest,
+                          [&](std::uint32_t i) { return face(i).looks_the_way_of(point) && accept(i); });
+            bool used = false;
             for (const common::Neighbour& neighbour : nearest.found()) {
+                if (!keep(neighbour.index)) continue;
                 const TexelFace found = face(neighbour.index);
                 use(neighbour.index, found.area * found.normal.dot(point.geometric_normal));
+                used = true;
             }
-            return !nearest.found().empty();
+            return used;
         };
-        if (pieces_) {
-            const std::uint32_t own = pieces_->of_triangle(point.surface.triangle);
-            if (found_among([&](std::uint32_t i) {
-                    return pieces_->meet(own, piece_[i]) && face(i).looks_the_way_of(point);
-                }))
-                return;
+        constexpr auto any = [](std::uint32_t) { return true; };
+        if (!pieces_) {
+            use_nearest(any, any);
+            return;
         }
-        found_among([&](std::uint32_t i) { return face(i).looks_the_way_of(point); });
+        const std::uint32_t own = pieces_->of_triangle(point.surface.triangle);
+        const auto of_own_surface = [&](std::uint32_t i) { return pieces_->meet(own, piece_[i]); };
+        (void)(use_nearest(any, of_own_surface) || use_nearest(of_own_surface, any) || use_nearest(any, any));
     }
 
     [[nodiscard]] std::size_t bytes() const {

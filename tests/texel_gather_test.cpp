@@ -383,18 +383,28 @@ double nearest_by_search(const PreparedTexels& texels, const NearestTexels& gath
     for (std::uint32_t i = 0; i < texels.geometry.size(); ++i) {
         const TexelGeometry& texel = texels.geometry[i];
         largest_area = std::max(largest_area, texel.area);
-        if (texel.area == 0 || texel.normal.dot(point.geometric_normal) <= common::same_surface_cosine)
-            continue;
-        if (gather.of_own_surface &&
-            !texels.pieces->meet(texel.piece, texels.pieces->of_triangle(point.surface.triangle)))
-            continue;
-        candidates.emplace_back((texel.center - point.position).length(), i);
+        if (texel.area > 0 && texel.normal.dot(point.geometric_normal) > common::same_surface_cosine)
+            candidates.emplace_back((texel.center - point.position).length(), i);
     }
+    std::erase_if(candidates, [&](const auto& c) { return c.first > 4 * std::sqrt(largest_area); });
     std::sort(candidates.begin(), candidates.end());
+
+    const auto of_other_surface = [&](const auto& candidate) {
+        const std::uint32_t own = texels.pieces->of_triangle(point.surface.triangle);
+        return !texels.pieces->meet(texels.geometry[candidate.second].piece, own);
+    };
+    auto chosen = candidates;
+    chosen.resize(std::min(gather.count, candidates.size()));
+    if (gather.of_own_surface) {
+        std::erase_if(chosen, of_other_surface);
+        if (chosen.empty()) {
+            std::erase_if(candidates, of_other_surface);
+            chosen = candidates;
+            chosen.resize(std::min(gather.count, candidates.size()));
+        }
+    }
     double sum = 0, weights = 0;
-    for (std::size_t i = 0; i < std::min(gather.count, candidates.size()); ++i) {
-        const auto& [distance, index] = candidates[i];
-        if (distance > 4 * std::sqrt(largest_area)) break;
+    for (const auto& [distance, index] : chosen) {
         const TexelGeometry& texel = texels.geometry[index];
         const double weight = double{texel.area} * texel.normal.dot(point.geometric_normal);
         sum += weight * odd_value(index);

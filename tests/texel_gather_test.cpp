@@ -389,19 +389,20 @@ double nearest_by_search(const PreparedTexels& texels, const NearestTexels& gath
     std::erase_if(candidates, [&](const auto& c) { return c.first > 4 * std::sqrt(largest_area); });
     std::sort(candidates.begin(), candidates.end());
 
+    const auto nearest = [&](auto from) {
+        from.resize(std::min(gather.count, from.size()));
+        return from;
+    };
     const auto of_other_surface = [&](const auto& candidate) {
         const std::uint32_t own = texels.pieces->of_triangle(point.surface.triangle);
         return !texels.pieces->meet(texels.geometry[candidate.second].piece, own);
     };
-    auto chosen = candidates;
-    chosen.resize(std::min(gather.count, candidates.size()));
+    auto chosen = nearest(candidates);
     if (gather.of_own_surface) {
         std::erase_if(chosen, of_other_surface);
-        if (chosen.empty()) {
-            std::erase_if(candidates, of_other_surface);
-            chosen = candidates;
-            chosen.resize(std::min(gather.count, candidates.size()));
-        }
+        auto of_own = candidates;
+        std::erase_if(of_own, of_other_surface);
+        if (chosen.empty()) chosen = nearest(of_own.empty() ? candidates : of_own);
     }
     double sum = 0, weights = 0;
     for (const auto& [distance, index] : chosen) {

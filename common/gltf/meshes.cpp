@@ -7,6 +7,7 @@
 
 #include "common/core/input_error.h"
 #include "common/gltf/materials.h"
+#include "common/gltf/not_drawn.h"
 #include "common/gltf/primitive.h"
 #include "common/gltf/world_space.h"
 
@@ -116,6 +117,7 @@ std::size_t append_instance(const tinygltf::Model& model, const tinygltf::Primit
     const std::size_t left_out = append_triangles(triangles, attributes, scene);
     instance.triangle_count = static_cast<std::uint32_t>(scene.triangle.size()) - instance.first_triangle;
     if (instance.triangle_count > 0) {
+        if (primitive.material < 0) warnings.add(metal_warning, fmt::format("default material of {}", name));
         warn_about_missing_texcoords(scene.material[instance.material], instance, warnings);
         scene.instance.push_back(instance);
     }

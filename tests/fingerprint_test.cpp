@@ -70,6 +70,14 @@ TEST(Fingerprint, KnowsEverythingThatLightDependsOn) {
         [&](Scene& s) { s.texture[0] = texture(4, ColorSpace::srgb, Wrap::repeat); },
         [&](Scene& s) { s.texture[0] = texture(3, ColorSpace::linear, Wrap::repeat); },
         [&](Scene& s) { s.texture[0] = texture(3, ColorSpace::srgb, Wrap::clamp_to_edge); },
+        [](Scene& s) {
+            s.texture[0] = common::Texture("grey", 1, 1, {1, 2, 3}, ColorSpace::srgb, Wrap::repeat,
+                                           Wrap::repeat, {}, common::Filter::nearest);
+        },
+        [](Scene& s) {
+            s.texture[0] = common::Texture("grey", 1, 1, {1, 2, 3}, ColorSpace::linear, Wrap::repeat,
+                                           Wrap::repeat, {}, common::Filter::linear, {300, 500, 700});
+        },
         [](Scene& s) { s.point_light[0].position.x = 1; },
         [](Scene& s) { s.point_light[0].intensity.x = 2; },
         [](Scene& s) { s.point_light.push_back(s.point_light[0]); },

@@ -12,12 +12,16 @@ using namespace gltf_text;
 // ---- Materials ----
 
 TEST_F(LoadGltfMaterials, GivesGltfsDefaultMaterialWhereNoneIsNamed) {
-    const Scene scene = load(one_triangle());
+    GltfFile file = one_triangle();
+    file.primitive().erase("material");
+    file.document.erase("materials");
+    const Scene scene = load(file);
     const common::Material& material = scene.material_of(0);
     EXPECT_EQ(material.kind, SurfaceKind::diffuse);
     EXPECT_EQ(material.base_color, Rgb(1, 1, 1));
     EXPECT_FALSE(material.emits());
     EXPECT_FALSE(material.double_sided);
+    EXPECT_TRUE(has_warning(scene, "metal")) << "metallic 1, roughness 1";
 }
 
 TEST_F(LoadGltfMaterials, ReadsADiffuseMaterial) {
@@ -55,15 +59,40 @@ TEST_F(LoadGltfMaterials, ReadsSmoothMetalAsMirror) {
     EXPECT_EQ(load(file).material[0].kind, SurfaceKind::diffuse);
 }
 
-TEST_F(LoadGltfMaterials, ReadsTransmissionAsDielectric) {
+TEST_F(LoadGltfMaterials, WarnsAboutMetalsThatAreNoMirrors) {
+    GltfFile file = one_triangle();
+    for (const Json& pbr :
+         {Json({{"roughnessFactor", 0.3}}), Json({{"roughnessFactor", 0}, {"metallicFactor", 0.5}}),
+          Json({{"roughnessFactor", 0}, {"metallicRoughnessTexture", {{"index", 0}}}}), Json(nullptr)}) {
+        file.material() = Json::object();
+        if (!pbr.is_null()) file.material()["pbrMetallicRoughness"] = pbr;
+        file.document["textures"] = {{{"source", 0}}};
+        file.document["images"] = {{{"uri", "missing.png"}}};
+        const Scene scene = load(file);
+        EXPECT_EQ(scene.material[0].kind, SurfaceKind::diffuse) << pbr;
+        ASSERT_EQ(scene.warnings.size(), 1u) << pbr;
+        EXPECT_TRUE(has_warning(scene, "metal")) << scene.warnings[0];
+    }
+    file.material()["pbrMetallicRoughness"] = {{"metallicFactor", 0},
+                                               {"metallicRoughnessTexture", {{"index", 0}}}};
+    EXPECT_TRUE(load(file).warnings.empty()) << "no metal, whatever the texture says";
+    file.material()["pbrMetallicRoughness"] = {{"metallicFactor", 1}, {"roughnessFactor", 0}};
+    EXPECT_TRUE(load(file).warnings.empty()) << "a mirror";
+}
+
+TEST_F(LoadGltfMaterials, ReadsTransmissionAsGlass) {
     GltfFile file = one_triangle();
     Json& material = file.material();
     material["pbrMetallicRoughness"] = {{"roughnessFactor", 0}, {"metallicFactor", 0}};
     material["extensions"]["KHR_materials_transmission"] = {{"transmissionFactor", 1}};
     Scene scene = load(file);
-    EXPECT_EQ(scene.material[0].kind, SurfaceKind::dielectric);
+    EXPECT_EQ(scene.material[0].kind, SurfaceKind::thin_sheet);
     EXPECT_EQ(scene.material[0].index_of_refraction, 1.5f);
     EXPECT_TRUE(scene.warnings.empty());
+    material["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", 0}};
+    EXPECT_EQ(load(file).material[0].kind, SurfaceKind::thin_sheet);
+    material["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", 0.01}};
+    EXPECT_EQ(load(file).material[0].kind, SurfaceKind::dielectric);
 
     material["extensions"]["KHR_materials_ior"] = {{"ior", 1.25}};
     EXPECT_EQ(load(file).material[0].index_of_refraction, 1.25f);
@@ -71,15 +100,134 @@ TEST_F(LoadGltfMaterials, ReadsTransmissionAsDielectric) {
     material["extensions"]["KHR_materials_transmission"] = {{"transmissionFactor", 0.75}};
     scene = load(file);
     EXPECT_EQ(scene.material[0].kind, SurfaceKind::dielectric);
-    EXPECT_TRUE(has_warning(scene, "transmission"));
+    EXPECT_TRUE(has_warning(scene, "KHR_materials_transmission"));
 
     material["extensions"]["KHR_materials_transmission"] = {{"transmissionFactor", 0.25}};
-    EXPECT_EQ(load(file).material[0].kind, SurfaceKind::diffuse);
+    scene = load(file);
+    EXPECT_EQ(scene.material[0].kind, SurfaceKind::diffuse);
+    EXPECT_TRUE(has_warning(scene, "KHR_materials_transmission"));
+
+    material["extensions"].erase("KHR_materials_ior");
+    material["extensions"]["KHR_materials_transmission"] = {{"transmissionFactor", 0}};
+    scene = load(file);
+    EXPECT_EQ(scene.material[0].kind, SurfaceKind::diffuse);
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST_F(LoadGltfMaterials, MetalLetsNothingThrough) {
+    GltfFile file = one_triangle();
+    file.material() = {{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}}}};
+    const Scene scene = load(file);
+    EXPECT_EQ(scene.material[0].kind, SurfaceKind::diffuse);
+    EXPECT_TRUE(has_warning(scene, "metal"));
+}
+
+TEST_F(LoadGltfMaterials, SaysWhatItReadsOfAVolume) {
+    GltfFile file = one_triangle();
+    file.document["textures"] = {{{"source", 0}}};
+    file.document["images"] = {{{"uri", "missing.png"}}};
+    file.material()["pbrMetallicRoughness"]["roughnessFactor"] = 0;
+    Json& extensions = file.material()["extensions"];
+    extensions["KHR_materials_transmission"] = {{"transmissionFactor", 1}};
+    extensions["KHR_materials_volume"] = {{"thicknessFactor", 1}, {"attenuationDistance", 2}};
+    EXPECT_TRUE(load(file).warnings.empty()) << "white glass absorbs nothing";
+    extensions["KHR_materials_volume"]["attenuationColor"] = {1, 0.5, 1};
+    EXPECT_TRUE(has_warning(load(file), "KHR_materials_volume: absorption"));
+    extensions["KHR_materials_volume"] = {{"thicknessFactor", 1}, {"attenuationColor", {1, 0.5, 1}}};
+    EXPECT_TRUE(load(file).warnings.empty()) << "not within any distance";
+    extensions["KHR_materials_volume"]["thicknessTexture"] = {{"index", 0}};
+    EXPECT_TRUE(has_warning(load(file), "KHR_materials_volume: thicknessTexture"));
+    extensions["KHR_materials_transmission"]["transmissionTexture"] = {{"index", 0}};
+    EXPECT_TRUE(has_warning(load(file), "KHR_materials_transmission"));
+}
+
+TEST_F(LoadGltfMaterials, WarnsAboutWhatIsNotDrawn) {
+    struct Case {
+        const char* extension;
+        Json neutral, given;
+    };
+    const Json texture = {{"index", 0}};
+    const std::vector<Case> cases = {
+        {"KHR_materials_anisotropy", {{"anisotropyStrength", 0}}, {{"anisotropyStrength", 0.5}}},
+        {"KHR_materials_clearcoat", {{"clearcoatFactor", 0}}, {{"clearcoatFactor", 1}}},
+        {"KHR_materials_diffuse_transmission", Json::object(), {{"diffuseTransmissionFactor", 0.5}}},
+        {"KHR_materials_dispersion", {{"dispersion", 0}}, {{"dispersion", 0.1}}},
+        {"KHR_materials_ior", {{"ior", 1.5}}, {{"ior", 1.45}}},
+        {"KHR_materials_iridescence", {{"iridescenceFactor", 0.0}}, {{"iridescenceFactor", 1}}},
+        {"KHR_materials_sheen", {{"sheenColorFactor", {0, 0, 0}}}, {{"sheenColorFactor", {0, 0.5, 0}}}},
+        {"KHR_materials_specular", {{"specularFactor", 1}}, {{"specularFactor", 0}}},
+        {"KHR_materials_specular", {{"specularColorFactor", {1, 1, 1}}}, {{"specularTexture", texture}}},
+        {"KHR_materials_specular",
+         Json::object(),
+         {{"specularColorFactor", {1, 0, 0}}, {"specularFactor", 0}}},
+    };
+    for (const Case& c : cases) {
+        GltfFile file = one_triangle();
+        file.material()["extensions"][c.extension] = c.neutral;
+        EXPECT_TRUE(load(file).warnings.empty()) << c.extension << c.neutral;
+        file.material()["extensions"][c.extension] = c.given;
+        const Scene scene = load(file);
+        EXPECT_EQ(scene.warnings.size(), 1u) << c.extension << c.given;
+        EXPECT_TRUE(has_warning(scene, c.extension)) << c.given;
+    }
+    GltfFile file = textured_triangle();
+    file.material()["occlusionTexture"] = {{"index", 0}, {"strength", 0}};
+    EXPECT_TRUE(load(file).warnings.empty());
+    file.material()["occlusionTexture"] = {{"index", 0}};
+    EXPECT_TRUE(has_warning(load(file), "occlusionTexture"));
+}
+
+TEST_F(LoadGltfMaterials, ReadsTheDiffusePartOfSpecularGlossiness) {
+    GltfFile file = one_triangle();
+    file.material() = {{"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 1}}, {"roughnessFactor", 0}}}};
+    Json& glossy = file.material()["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+    glossy = {{"diffuseFactor", {0.5, 0.25, 1, 0.75}}, {"specularFactor", {0, 0, 0}}};
+    Scene scene = load(file);
+    EXPECT_EQ(scene.material[0].kind, SurfaceKind::diffuse) << "the mirror is for others";
+    EXPECT_EQ(scene.material[0].base_color, Rgb(0.5f, 0.25f, 1));
+    EXPECT_EQ(scene.material[0].alpha, 0.75f);
+    EXPECT_TRUE(scene.warnings.empty());
+
+    glossy = {{"glossinessFactor", 0.5}};
+    scene = load(file);
+    EXPECT_EQ(scene.material[0].base_color, Rgb(1, 1, 1));
+    EXPECT_EQ(scene.material[0].alpha, 1);
+    EXPECT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(has_warning(scene, "KHR_materials_pbrSpecularGlossiness"));
+    glossy = {{"diffuseFactor", {0.5, 0.25, 1}}};
+    expect_error(file, "KHR_materials_pbrSpecularGlossiness/diffuseFactor");
+}
+
+TEST_F(LoadGltfMaterials, ReadsWhatIsSaidOfAlpha) {
+    GltfFile file = one_triangle();
+    Json& material = file.material();
+    material["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.25};
+    Scene scene = load(file);
+    EXPECT_EQ(scene.material[0].alpha_mode, common::AlphaMode::opaque);
+    material["alphaMode"] = "BLEND";
+    scene = load(file);
+    EXPECT_EQ(scene.material[0].alpha_mode, common::AlphaMode::blend);
+    EXPECT_EQ(scene.material[0].alpha, 0.25f);
+    material["alphaMode"] = "MASK";
+    EXPECT_EQ(load(file).material[0].alpha_mode, common::AlphaMode::mask);
+    EXPECT_EQ(load(file).material[0].alpha_cutoff, 0.5f);
+    material["alphaCutoff"] = 0.75;
+    material["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 7};
+    scene = load(file);
+    EXPECT_EQ(scene.material[0].alpha_cutoff, 0.75f);
+    EXPECT_EQ(scene.material[0].alpha, 1);
+    EXPECT_TRUE(scene.warnings.empty());
+    material["alphaMode"] = "GLASS";
+    scene = load(file);
+    EXPECT_EQ(scene.material[0].alpha_mode, common::AlphaMode::opaque);
+    EXPECT_TRUE(has_warning(scene, "alphaMode"));
+    material["alphaCutoff"] = "a half";
+    expect_error(file, "alphaCutoff");
 }
 
 TEST_F(LoadGltfMaterials, WarnsAboutRoughGlassAndImpossibleIndices) {
     GltfFile file = one_triangle();
-    file.material()["pbrMetallicRoughness"] = {{"roughnessFactor", 0.5}};
+    file.material()["pbrMetallicRoughness"] = {{"roughnessFactor", 0.5}, {"metallicFactor", 0}};
     file.material()["extensions"] = {{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
                                      {"KHR_materials_ior", {{"ior", 0}}}};
     const Scene scene = load(file);
@@ -96,6 +244,10 @@ TEST_F(LoadGltfMaterials, MultipliesEmissionByItsStrength) {
     EXPECT_EQ(load(file).material[0].emitted_radiance, Rgb(100, 50, 0));
     file.material()["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", 5e9}};
     EXPECT_EQ(load(file).material[0].emitted_radiance, Rgb(5e9f, 2.5e9f, 0));
+    for (const Json& whole : {Json(3000000000), Json(5000000000), Json(3000000000.0)}) {
+        file.material()["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", whole}};
+        EXPECT_EQ(load(file).material[0].emitted_radiance.x, whole.get<float>());
+    }
 }
 
 TEST_F(LoadGltfMaterials, TakesUnlitAsDiffuseThatDoesNotEmit) {
@@ -108,22 +260,17 @@ TEST_F(LoadGltfMaterials, TakesUnlitAsDiffuseThatDoesNotEmit) {
     EXPECT_TRUE(has_warning(scene, "unlit"));
 }
 
-TEST_F(LoadGltfMaterials, TakesAlphaAsOpaque) {
-    GltfFile file = one_triangle();
-    file.material()["alphaMode"] = "BLEND";
-    EXPECT_TRUE(has_warning(load(file), "opaque"));
-}
-
 // ---- Textures ----
 
 TEST_F(LoadGltfTextures, ReadsAllThreeSlots) {
     directory.write("red green.png", red_green_png());
     GltfFile file = textured_triangle();
     file.document["images"][0]["uri"] = "red%20green.png";
-    file.material() = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
-                       {"normalTexture", {{"index", 0}, {"scale", 0.5}, {"texCoord", 1}}},
-                       {"emissiveTexture", {{"index", 0}, {"texCoord", 1}}},
-                       {"emissiveFactor", {1, 1, 1}}};
+    file.material() = {
+        {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"baseColorTexture", {{"index", 0}}}}},
+        {"normalTexture", {{"index", 0}, {"scale", 0.5}, {"texCoord", 1}}},
+        {"emissiveTexture", {{"index", 0}, {"texCoord", 1}}},
+        {"emissiveFactor", {1, 1, 1}}};
     const Scene scene = load(file);
     const common::Material& material = scene.material[0];
     EXPECT_EQ(material.base_color_texture.texcoord_set, 0);
@@ -150,11 +297,67 @@ TEST_F(LoadGltfTextures, ReadsImagesInBufferViewsWithTheirSampler) {
     EXPECT_EQ(scene.texture[0].sample({9, 0.5f}), Rgb(0, 1, 0)) << "clamped to the edge";
 }
 
-TEST_F(LoadGltfTextures, Reduces16BitsTo8) {
+TEST_F(LoadGltfTextures, Keeps16BitsOfDataAnd8OfColors) {
     directory.write("red green.png", sixteen_bit_png());
     GltfFile file = textured_triangle();
     file.material()["normalTexture"] = {{"index", 0}};
-    EXPECT_EQ(load(file).texture[0].sample({0.5f, 0.5f}), Rgb(1, 128.0f / 255, 0));
+    EXPECT_EQ(load(file).texture[0].sample({0.5f, 0.5f}), Rgb(1, 32800.0f / 65535, 1.0f / 65535));
+    file.material().erase("normalTexture");
+    file.material()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    const Scene scene = load(file);
+    EXPECT_TRUE(scene.texture[0].rgb_16().empty());
+    EXPECT_EQ(std::vector(scene.texture[0].rgb().begin(), scene.texture[0].rgb().end()),
+              (std::vector<std::uint8_t>{255, 128, 0}));
+}
+
+TEST_F(LoadGltfTextures, TakesTheNearestPixelWhereTheSamplerSaysSo) {
+    directory.write("red green.png", red_green_png());
+    GltfFile file = textured_triangle();
+    file.document["samplers"] = {{{"minFilter", 9728}}};
+    file.document["textures"][0]["sampler"] = 0;
+    file.material()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    EXPECT_NE(load(file).texture[0].sample({0.45f, 0.5f}).y, 0) << "what is far away is not drawn coarser";
+    file.document["samplers"][0]["magFilter"] = 9728;
+    const Scene scene = load(file);
+    EXPECT_EQ(scene.texture[0].sample({0.45f, 0.5f}), Rgb(1, 0, 0));
+    EXPECT_EQ(scene.texture[0].sample({0.55f, 0.5f}), Rgb(0, 1, 0));
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST_F(LoadGltfTextures, KeepsAlphaWhereAMaterialReadsIt) {
+    directory.write("red green.png", half_clear_png());
+    GltfFile file = textured_triangle();
+    file.material()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    file.document["materials"].push_back(file.material());
+    EXPECT_FALSE(load(file).texture[0].has_alpha());
+    for (const char* mode : {"MASK", "BLEND"}) {
+        file.document["materials"][1]["alphaMode"] = mode;
+        const Scene scene = load(file);
+        ASSERT_EQ(scene.texture.size(), 1u) << "one for both materials";
+        EXPECT_EQ(scene.material[0].base_color_texture.texture, scene.material[1].base_color_texture.texture);
+        ASSERT_TRUE(scene.texture[0].has_alpha());
+        EXPECT_EQ(scene.texture[0].sample_alpha({0.25f, 0.5f}), 1);
+        EXPECT_EQ(scene.texture[0].sample_alpha({0.75f, 0.5f}), 128.0f / 255);
+    }
+    directory.write("red green.png", red_green_png());
+    EXPECT_FALSE(load(file).texture[0].has_alpha()) << "255 everywhere";
+}
+
+TEST_F(LoadGltfTextures, ReadsTheDiffuseTextureOfSpecularGlossiness) {
+    directory.write("red green.png", red_green_png());
+    GltfFile file = textured_triangle();
+    Json& glossy = file.material()["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+    const Json moved = {{"KHR_texture_transform", {{"offset", {0.5, 0}}}}};
+    glossy = {{"diffuseTexture", {{"index", 0}, {"texCoord", 1}, {"extensions", moved}}},
+              {"specularFactor", {0, 0, 0}}};
+    const Scene scene = load(file);
+    const common::TextureUse& use = scene.material[0].base_color_texture;
+    ASSERT_EQ(use.texture, 0);
+    EXPECT_EQ(use.texcoord_set, 1);
+    EXPECT_EQ(use.transform(Vec2(0, 0)), Vec2(0.5f, 0));
+    EXPECT_EQ(scene.texture[0].sample({0.25f, 0.5f}), Rgb(1, 0, 0));
+    glossy["diffuseTexture"]["index"] = 1;
+    expect_error(file, "diffuseTexture/index is 1");
 }
 
 TEST_F(LoadGltfTextures, RefusesNeededImagesThatCannotBeRead) {
@@ -167,6 +370,15 @@ TEST_F(LoadGltfTextures, RefusesNeededImagesThatCannotBeRead) {
     expect_error(file, "textures/0");
     file.document["textures"][0].erase("source");
     expect_error(file, "textures/0");
+    file.document["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 0;
+    expect_error(file, "textures/0 has no PNG or JPEG image, only one of EXT_texture_webp");
+}
+
+TEST_F(LoadGltfTextures, NamesNoDataInItsErrors) {
+    GltfFile file = textured_triangle();
+    file.material()["normalTexture"] = {{"index", 0}};
+    file.document["images"][0]["uri"] = "data:image/png;base64,AAAA";
+    expect_error(file, "image 'images/0' cannot be decoded");
 }
 
 TEST_F(LoadGltfTextures, IgnoresBrokenImagesThatNothingReads) {
@@ -184,21 +396,83 @@ TEST_F(LoadGltfTextures, WarnsAboutWhatItCannotHonour) {
     GltfFile file = textured_triangle();
     file.primitive()["attributes"].erase("TEXCOORD_0");
     file.material()["normalTexture"] = {{"index", 0}, {"texCoord", 2}};
-    file.material()["pbrMetallicRoughness"]["baseColorTexture"] = {
-        {"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}}}}}};
+    file.material()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
     const Scene scene = load(file);
     EXPECT_EQ(scene.material[0].normal_texture.texture, common::no_texture);
     EXPECT_TRUE(has_warning(scene, "TEXCOORD_2"));
-    EXPECT_TRUE(has_warning(scene, "KHR_texture_transform"));
     EXPECT_TRUE(has_warning(scene, "TEXCOORD_0, which is missing"));
 }
 
-TEST_F(LoadGltfTextures, DoesNotWarnAboutATransformThatDoesNothing) {
-    directory.write("red green.png", red_green_png());
+/// Textured triangle whose base colour, normal and emissive texture all have this KHR_texture_transform.
+GltfFile with_transform(const Json& transform) {
     GltfFile file = textured_triangle();
-    const Json identity = {{"offset", {0, 0}}, {"scale", {1, 1}}, {"rotation", 0}};
-    file.material()["normalTexture"] = {{"index", 0}, {"extensions", {{"KHR_texture_transform", identity}}}};
-    EXPECT_TRUE(load(file).warnings.empty());
+    const Json info = {{"index", 0}, {"extensions", {{"KHR_texture_transform", transform}}}};
+    file.material()["pbrMetallicRoughness"]["baseColorTexture"] = info;
+    file.material()["normalTexture"] = info;
+    file.material()["emissiveTexture"] = info;
+    file.material()["emissiveFactor"] = {1, 1, 1};
+    return file;
+}
+
+TEST_F(LoadGltfTextures, MovesTextureCoordinates) {
+    directory.write("red green.png", red_green_png());
+    constexpr double quarter = std::numbers::pi / 2;
+    struct Case {
+        Json transform;
+        Vec2 of_origin, of_u, of_v;  // where (0, 0), (1, 0) and (0, 1) go
+    };
+    const std::vector<Case> cases = {
+        {Json::object(), {0, 0}, {1, 0}, {0, 1}},
+        {{{"offset", {0.5, -2}}}, {0.5f, -2}, {1.5f, -2}, {0.5f, -1}},
+        {{{"scale", {2, -3}}}, {0, 0}, {2, 0}, {0, -3}},
+        // Counter-clockwise with u to the right and v down: u turns to -v.
+        {{{"rotation", quarter}}, {0, 0}, {0, -1}, {1, 0}},
+        {{{"rotation", -quarter}}, {0, 0}, {0, 1}, {-1, 0}},
+        {{{"rotation", 2 * quarter}}, {0, 0}, {-1, 0}, {0, -1}},
+        // The example of the extension's text: the lower left quarter of the image, turned clockwise.
+        {{{"offset", {0, 1}}, {"rotation", quarter}, {"scale", {0.5, 0.5}}}, {0, 1}, {0, 0.5f}, {0.5f, 1}},
+        // Scaled before it is turned.
+        {{{"rotation", quarter}, {"scale", {2, 3}}}, {0, 0}, {0, -2}, {3, 0}},
+    };
+    for (const Case& c : cases) {
+        const Scene scene = load(with_transform(c.transform));
+        const common::Material& material = scene.material[0];
+        EXPECT_TRUE(scene.warnings.empty()) << c.transform;
+        for (const common::TextureUse& use :
+             {material.base_color_texture, material.normal_texture, material.emissive_texture}) {
+            EXPECT_LT((use.transform(Vec2(0, 0)) - c.of_origin).length(), 1e-6f) << c.transform;
+            EXPECT_LT((use.transform(Vec2(1, 0)) - c.of_u).length(), 1e-6f) << c.transform;
+            EXPECT_LT((use.transform(Vec2(0, 1)) - c.of_v).length(), 1e-6f) << c.transform;
+        }
+    }
+}
+
+TEST_F(LoadGltfTextures, ATransformThatDoesNothingIsNone) {
+    directory.write("red green.png", red_green_png());
+    const common::Material material =
+        load(with_transform({{"offset", {0, 0}}, {"scale", {1, 1}}, {"rotation", 0}})).material[0];
+    EXPECT_EQ(material.base_color_texture.transform, common::TexcoordTransform{});
+}
+
+TEST_F(LoadGltfTextures, ATransformMayNameOtherTextureCoordinates) {
+    directory.write("red green.png", red_green_png());
+    GltfFile file = with_transform({{"texCoord", 1}});
+    EXPECT_EQ(load(file).material[0].base_color_texture.texcoord_set, 1);
+    EXPECT_EQ(load(file).material[0].normal_texture.texcoord_set, 1);
+    EXPECT_EQ(load(file).material[0].emissive_texture.texcoord_set, 1);
+    file = with_transform({{"texCoord", 0}});
+    file.material()["normalTexture"]["texCoord"] = 2;
+    EXPECT_EQ(load(file).material[0].normal_texture.texcoord_set, 0) << "and wins";
+    EXPECT_TRUE(has_warning(load(with_transform({{"texCoord", 2}})), "TEXCOORD_2"));
+}
+
+TEST_F(LoadGltfTextures, RefusesBrokenTransforms) {
+    directory.write("red green.png", red_green_png());
+    expect_error(with_transform({{"offset", {0}}}), "KHR_texture_transform/offset");
+    expect_error(with_transform({{"scale", {1, 2, 3}}}), "KHR_texture_transform/scale");
+    expect_error(with_transform({{"scale", 2}}), "KHR_texture_transform/scale");
+    expect_error(with_transform({{"rotation", {1}}}), "KHR_texture_transform/rotation");
+    expect_error(with_transform({{"texCoord", -1}}), "KHR_texture_transform/texCoord");
 }
 
 // ---- Lights ----

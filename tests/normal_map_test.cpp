@@ -106,6 +106,25 @@ TEST(NormalMap, FollowsAnyChart) {
     }
 }
 
+TEST(NormalMap, FollowsMovedTextureCoordinates) {
+    const std::array<std::uint8_t, 3> texel = {200, 230, 200};
+    const common::TexcoordTransform none, quarter{{0, 1}, {0, -1}, {1, 0}}, flipped{{1, 0}, {-1, 0}, {0, 1}},
+        stretched{{3, 4}, {5, 0}, {0, 0.5f}}, all{{0.5f, 2}, {0.6f, 1.6f}, {2.4f, -0.9f}};
+    for (const common::TexcoordTransform& transform : {none, quarter, flipped, stretched, all}) {
+        Scene scene = mapped(texel, turned);
+        scene.material[0].normal_texture.transform = transform;
+        std::vector<Vec2> moved = turned;
+        for (Vec2& uv : moved) uv = transform(uv);
+        expect_near(shading_normal(scene), shading_normal(mapped(texel, moved)));
+    }
+    Scene scene = mapped(texel, upright);
+    scene.material[0].normal_texture.transform = quarter;
+    const float red = 200.0f / 255 * 2 - 1, green = 230.0f / 255 * 2 - 1;
+    expect_near(shading_normal(scene), {green, -red, red});  // the image turned clockwise: up in it is +x
+    add_tangents(scene, {1, 0, 0}, 1);
+    expect_near(shading_normal(scene), {red, green, red});  // the file's tangents say it all
+}
+
 TEST(NormalMap, ScalesTheTilt) {
     const float red = 230.0f / 255 * 2 - 1, blue = 200.0f / 255 * 2 - 1;
     expect_near(shading_normal(mapped({230, 128, 200}, upright, 0.5f)),

@@ -24,6 +24,10 @@ TEST(PhotonSurfaces, RoundAsTheSceneDoes) {
     for (int i = 0; i < 100; ++i) {
         Mesh mesh = quad(place(), place(), place());
         for (Vec2& uv : mesh.texcoord[0]) uv = {anywhere(engine), anywhere(engine)};
+        if (i % 2 == 1)
+            textured.base_color_texture.transform = {Vec2(anywhere(engine), anywhere(engine)),
+                                                     Vec2(anywhere(engine), anywhere(engine)),
+                                                     Vec2(anywhere(engine), anywhere(engine))};
         add(scene, mesh, textured);
     }
     const common::PhotonSurfaces surfaces(scene);
@@ -31,8 +35,27 @@ TEST(PhotonSurfaces, RoundAsTheSceneDoes) {
         for (int i = 0; i < 20; ++i) {
             const float u = uniform(engine), v = uniform(engine) * (1 - u);
             EXPECT_EQ(surfaces[t].position(u, v), common::position_at(scene, {t, u, v}));
-            EXPECT_EQ(surfaces.texture(t).texcoord(u, v), common::texcoord_at(scene, {t, u, v}, 0));
+            const common::TextureUse& use = scene.material_of(t).base_color_texture;
+            EXPECT_EQ(surfaces.texture(t).texcoord(u, v), common::texcoord_at(scene, {t, u, v}, use));
+            if (t < 2) {
+                EXPECT_EQ(surfaces.texture(t).texcoord(u, v), common::texcoord_at(scene, {t, u, v}, 0));
+            }
         }
+}
+
+TEST(PhotonSurfaces, ReadTheTextureWhereItIsMoved) {
+    Scene scene;
+    scene.texture.emplace_back("grey", 1, 1, std::vector<std::uint8_t>(3, 128), common::ColorSpace::linear,
+                               common::Wrap::repeat, common::Wrap::repeat);
+    Material textured = diffuse(Rgb(1, 1, 1));
+    textured.base_color_texture = {0, 0, {{0.25f, 0.5f}, {0, -2}, {3, 0}}};
+    Mesh mesh = quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    mesh.texcoord[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    add(scene, mesh, textured);
+    const common::PhotonSurfaces surfaces(scene);
+    EXPECT_EQ(surfaces.texture(0).texcoord(0, 0), Vec2(0.25f, 0.5f));
+    EXPECT_EQ(surfaces.texture(0).texcoord(1, 0), Vec2(0.25f, -1.5f));
+    EXPECT_EQ(surfaces.texture(0).texcoord(0, 1), Vec2(3.25f, -1.5f));
 }
 
 }  // namespace

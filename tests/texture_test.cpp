@@ -90,6 +90,34 @@ TEST(Texture, TakesAnyCoordinate) {
     }
 }
 
+TEST(Texture, TakesTheNearestPixelWhereItIsAskedTo) {
+    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp_to_edge, Wrap::mirrored_repeat}) {
+        const Texture texture("black_white", 2, 1, {0, 0, 0, 255, 255, 255}, ColorSpace::linear, wrap, wrap,
+                              {0, 255}, common::Filter::nearest);
+        for (const float u : {0.0f, 0.1f, 0.25f, 0.49f}) {
+            EXPECT_EQ(red_at(texture, u), 0) << u;
+            EXPECT_EQ(texture.sample_alpha({u, 0.5f}), 0) << u;
+        }
+        for (const float u : {0.51f, 0.75f, 0.9f, 0.999f}) {
+            EXPECT_EQ(red_at(texture, u), 1) << u;
+            EXPECT_EQ(texture.sample_alpha({u, 0.5f}), 1) << u;
+        }
+        EXPECT_EQ(red_at(texture, 1.1f), wrap == Wrap::repeat ? 0 : 1);
+        EXPECT_EQ(red_at(texture, -0.1f), wrap == Wrap::repeat ? 1 : 0);
+    }
+}
+
+TEST(Texture, TellsApartWhat16BitsDo) {
+    // Two values that round to the same byte.
+    const Texture texture("fine", 2, 1, {128, 128, 128, 128, 128, 128}, ColorSpace::linear,
+                          Wrap::clamp_to_edge, Wrap::clamp_to_edge, {}, common::Filter::linear,
+                          {32800, 32801, 32802, 32900, 32901, 32902});
+    EXPECT_EQ(texture.sample({0.25f, 0.5f}), Rgb(32800, 32801, 32802) / 65535.0f);
+    EXPECT_EQ(texture.sample({0.75f, 0.5f}), Rgb(32900, 32901, 32902) / 65535.0f);
+    EXPECT_FLOAT_EQ(red_at(texture, 0.5f), 32850 / 65535.0f);
+    EXPECT_EQ(texture.filter(texture.footprint({0.25f, 0.5f})), Rgb(128, 128, 128) / 255.0f) << "a colour";
+}
+
 TEST(Texture, RefusesSizesThatDoNotFit) {
     const auto make = [](int width, int height, std::size_t bytes) {
         return Texture("bad", width, height, std::vector<std::uint8_t>(bytes), ColorSpace::linear,
@@ -100,6 +128,13 @@ TEST(Texture, RefusesSizesThatDoNotFit) {
     EXPECT_THROW(make(2, 3, 24), common::InputError);
     EXPECT_THROW(make(0, 3, 0), common::InputError);
     EXPECT_THROW(make(2, -3, 18), common::InputError);
+    const auto make_16 = [](std::size_t numbers, ColorSpace color_space) {
+        return Texture("bad", 1, 1, {1, 2, 3}, color_space, Wrap::repeat, Wrap::repeat, {},
+                       common::Filter::linear, std::vector<std::uint16_t>(numbers));
+    };
+    EXPECT_NO_THROW(make_16(3, ColorSpace::linear));
+    EXPECT_THROW(make_16(2, ColorSpace::linear), common::InputError);
+    EXPECT_THROW(make_16(3, ColorSpace::srgb), common::InputError) << "for data alone";
 }
 
 }  // namespace

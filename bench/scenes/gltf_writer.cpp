@@ -100,6 +100,12 @@ void add_material(const common::Material& in, tinygltf::Model& model) {
     pbr.baseColorTexture.index = in.base_color_texture.texture;
     out.normalTexture.index = in.normal_texture.texture;
     out.normalTexture.scale = in.normal_scale;
+    if (out.normalTexture.index >= 0) {
+        // Made from heights over u and v; results are on record that were made with these frames.
+        Value::Object extras;
+        extras["tangents"] = Value(std::string("derivatives"));
+        out.normalTexture.extras = Value(std::move(extras));
+    }
     if (in.kind == SurfaceKind::dielectric) set_glass(in.index_of_refraction, out, model);
     if (in.emits()) set_emission(in.emitted_radiance, out, model);
     model.materials.push_back(std::move(out));

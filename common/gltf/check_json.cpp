@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -26,17 +25,16 @@ enum class Type {
     object,
     flag,
     text,
-    number,            ///< that a float can hold
-    extension_number,  ///< the same; tinygltf reads integers in extensions as 32 bits
-    numbers,           ///< Rule::length of them
-    natural,           ///< integer >= 0
+    number,   ///< that a float can hold
+    numbers,  ///< Rule::length of them
+    natural,  ///< integer >= 0
     natural_31_bit,
     index,    ///< into the list Rule::target
     indices,  ///< list, or object of named values, of them
 };
 
 struct Rule {
-    const char* property;
+    std::string property;
     Type type;
     const char* target = "";
     std::size_t length = 0;
@@ -59,33 +57,41 @@ std::vector<Rule> primitive_rules() {
 std::vector<Rule> material_rules() {
     std::vector<Rule> rules = {
         {"/name", Type::text},
+        {"/alphaCutoff", Type::number},
         {"/alphaMode", Type::text},
         {"/doubleSided", Type::flag},
         {"/emissiveFactor", Type::numbers, "", 3},
         {"/normalTexture/scale", Type::number},
+        {"/occlusionTexture/strength", Type::number},
         {"/pbrMetallicRoughness", Type::object},
         {"/pbrMetallicRoughness/baseColorFactor", Type::numbers, "", 4},
         {"/pbrMetallicRoughness/metallicFactor", Type::number},
         {"/pbrMetallicRoughness/roughnessFactor", Type::number},
-        {"/extensions/KHR_materials_emissive_strength/emissiveStrength", Type::extension_number},
-        {"/extensions/KHR_materials_ior/ior", Type::extension_number},
-        {"/extensions/KHR_materials_transmission/transmissionFactor", Type::extension_number},
+        {"/extensions/KHR_materials_emissive_strength/emissiveStrength", Type::number},
+        {"/extensions/KHR_materials_ior/ior", Type::number},
+        {"/extensions/KHR_materials_pbrSpecularGlossiness/diffuseFactor", Type::numbers, "", 4},
+        {"/extensions/KHR_materials_pbrSpecularGlossiness/specularFactor", Type::numbers, "", 3},
+        {"/extensions/KHR_materials_transmission/transmissionFactor", Type::number},
+        {"/extensions/KHR_materials_volume/attenuationColor", Type::numbers, "", 3},
+        {"/extensions/KHR_materials_volume/attenuationDistance", Type::number},
+        {"/extensions/KHR_materials_volume/thicknessFactor", Type::number},
     };
-    // The last two are not read, but a dangling index in them still means a broken file.
-    static constexpr std::array<std::array<const char*, 3>, 5> textures = {{
-        {"/emissiveTexture", "/emissiveTexture/index", "/emissiveTexture/texCoord"},
-        {"/normalTexture", "/normalTexture/index", "/normalTexture/texCoord"},
-        {"/pbrMetallicRoughness/baseColorTexture", "/pbrMetallicRoughness/baseColorTexture/index",
-         "/pbrMetallicRoughness/baseColorTexture/texCoord"},
-        {"/occlusionTexture", "/occlusionTexture/index", "/occlusionTexture/texCoord"},
-        {"/pbrMetallicRoughness/metallicRoughnessTexture",
-         "/pbrMetallicRoughness/metallicRoughnessTexture/index",
-         "/pbrMetallicRoughness/metallicRoughnessTexture/texCoord"},
-    }};
-    for (const auto& [info, index, texcoord] : textures) {
-        rules.push_back({info, Type::object});
-        rules.push_back({index, Type::index, "/textures"});
-        rules.push_back({texcoord, Type::natural_31_bit});
+    // Some of these are not read, but a dangling index in them still means a broken file.
+    for (const std::string texture :
+         {"/emissiveTexture", "/normalTexture", "/occlusionTexture", "/pbrMetallicRoughness/baseColorTexture",
+          "/pbrMetallicRoughness/metallicRoughnessTexture",
+          "/extensions/KHR_materials_pbrSpecularGlossiness/diffuseTexture",
+          "/extensions/KHR_materials_pbrSpecularGlossiness/specularGlossinessTexture",
+          "/extensions/KHR_materials_transmission/transmissionTexture",
+          "/extensions/KHR_materials_volume/thicknessTexture"}) {
+        const std::string transform = texture + "/extensions/KHR_texture_transform";
+        rules.push_back({texture, Type::object});
+        rules.push_back({texture + "/index", Type::index, "/textures"});
+        rules.push_back({texture + "/texCoord", Type::natural_31_bit});
+        rules.push_back({transform + "/offset", Type::numbers, "", 2});
+        rules.push_back({transform + "/rotation", Type::number});
+        rules.push_back({transform + "/scale", Type::numbers, "", 2});
+        rules.push_back({transform + "/texCoord", Type::natural_31_bit});
     }
     return rules;
 }
@@ -142,7 +148,10 @@ std::vector<ListRules> list_rules() {
           {"/scale", Type::numbers, "", 3},
           {"/translation", Type::numbers, "", 3},
           {"/extensions/KHR_lights_punctual/light", Type::index, light_list}}},
-        {"/samplers", {{"/wrapS", Type::natural_31_bit}, {"/wrapT", Type::natural_31_bit}}},
+        {"/samplers",
+         {{"/magFilter", Type::natural_31_bit},
+          {"/wrapS", Type::natural_31_bit},
+          {"/wrapT", Type::natural_31_bit}}},
         {"/scenes", {{"/nodes", Type::indices, "/nodes"}}},
         {"/textures",
          {{"/sampler", Type::index, "/samplers"}, {"/source", Type::natural_31_bit}, {"/name", Type::text}}},
@@ -193,9 +202,6 @@ bool has_type(const Json& value, const Rule& rule) {
             return value.is_string();
         case Type::number:
             return is_float(value);
-        case Type::extension_number:
-            return is_float(value) &&
-                   (value.is_number_float() || std::abs(value.get<double>()) < 2147483648.0);
         case Type::numbers:
             return are_floats(value, rule.length);
         case Type::natural:

@@ -63,6 +63,16 @@ void turn_whole_floats_into_integers(Json& value) {
     }
 }
 
+/// tinygltf cuts integers in extensions down to 32 bits; a factor may be larger.
+void turn_large_integers_into_floats(Json& value) {
+    constexpr double largest = 2147483647;
+    if (value.is_structured()) {
+        for (Json& element : value) turn_large_integers_into_floats(element);
+    } else if (value.is_number_integer() && std::abs(value.get<double>()) > largest) {
+        value = value.get<double>();
+    }
+}
+
 void check_buffers(const Json& document, bool has_binary) {
     if (has_binary || !document.contains("buffers")) return;
     const Json& buffers = document.at("buffers");
@@ -108,7 +118,8 @@ std::set<std::size_t> needed_images(const Json& document) {
     if (!document.contains("materials")) return images;
     for (const Json& material : document.at("materials")) {
         for (const char* slot : {"/pbrMetallicRoughness/baseColorTexture/index", "/normalTexture/index",
-                                 "/emissiveTexture/index"}) {
+                                 "/emissiveTexture/index",
+                                 "/extensions/KHR_materials_pbrSpecularGlossiness/diffuseTexture/index"}) {
             const Json::json_pointer index(slot);
             if (!material.contains(index)) continue;
             const Json& texture = document.at("textures").at(material.at(index).get<std::size_t>());
@@ -161,6 +172,7 @@ tinygltf::Model read_document(const std::filesystem::path& file, Warnings& warni
     const Container container = read_container(file);
     Json document = parse_json(container.json);
     turn_whole_floats_into_integers(document);
+    if (document.contains("materials")) turn_large_integers_into_floats(document["materials"]);
     if (document.is_object()) check_extensions(document, warnings);
     check_json(document);
     check_buffers(document, !container.binary.empty());

@@ -13,26 +13,30 @@ namespace common::gltf {
 namespace {
 
 /// Honoured, or warned about where they are used.
-constexpr std::array<std::string_view, 7> known = {
-    "KHR_lights_punctual",   "KHR_materials_emissive_strength",
-    "KHR_materials_ior",     "KHR_materials_transmission",
-    "KHR_materials_unlit",   "KHR_mesh_quantization",
+constexpr std::array<std::string_view, 16> known = {
+    "KHR_lights_punctual",
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_diffuse_transmission",
+    "KHR_materials_dispersion",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_iridescence",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_volume",
+    "KHR_mesh_quantization",
     "KHR_texture_transform",
 };
 
 /// These change how a surface looks, not where it is or what it emits: a scene is still that scene without
 /// them.
-constexpr std::array<std::string_view, 12> harmless = {
+constexpr std::array<std::string_view, 4> harmless = {
     "KHR_animation_pointer",
-    "KHR_materials_anisotropy",
-    "KHR_materials_clearcoat",
-    "KHR_materials_dispersion",
-    "KHR_materials_iridescence",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_sheen",
-    "KHR_materials_specular",
     "KHR_materials_variants",
-    "KHR_materials_volume",
     "KHR_xmp",
     "KHR_xmp_json_ld",
 };

@@ -4,22 +4,13 @@
 #include <fmt/format.h>
 
 #include "common/core/input_error.h"
+#include "common/gltf/extension_values.h"
+#include "common/gltf/not_drawn.h"
+#include "common/gltf/texture_use.h"
 #include "common/gltf/textures.h"
 
 namespace common::gltf {
 namespace {
-
-using Extensions = tinygltf::ExtensionMap;
-
-double number_or(const tinygltf::Value& object, const char* key, double missing) {
-    return object.Has(key) ? object.Get(std::string(key)).GetNumberAsDouble() : missing;
-}
-
-/// A number of an extension's object; `missing` too where the extension is not used.
-double number_or(const Extensions& extensions, const char* extension, const char* key, double missing) {
-    const auto found = extensions.find(extension);
-    return found == extensions.end() ? missing : number_or(found->second, key, missing);
-}
 
 Rgb rgb_of(const std::vector<double>& values) {
     return {static_cast<float>(values[0]), static_cast<float>(values[1]), static_cast<float>(values[2])};
@@ -37,10 +28,11 @@ class MaterialReader {
         material.name = source_.name;
         material.double_sided = source_.doubleSided;
         read_kind(material);
+        read_alpha_mode(material);
         read_base_color(material);
         read_normal_texture(material);
         read_emission(material);
-        if (source_.alphaMode != "OPAQUE") warn("alpha (MASK or BLEND) treated as opaque");
+        if (!is_unlit()) warn_about_what_is_not_drawn(source_, material.kind, place_, warnings_);
         return material;
     }
 
@@ -48,6 +40,14 @@ class MaterialReader {
     void warn(const char* what) { warnings_.add(what, place_); }
 
     [[nodiscard]] bool has_extension(const char* name) const { return source_.extensions.contains(name); }
+    [[nodiscard]] const tinygltf::Value& extension(const char* name) const {
+        return extension_object(source_.extensions, name);
+    }
+    [[nodiscard]] bool is_unlit() const { return has_extension("KHR_materials_unlit"); }
+    /// Then pbrMetallicRoughness is for those who do not know the extension.
+    [[nodiscard]] bool is_specular_glossy() const {
+        return has_extension("KHR_materials_pbrSpecularGlossiness");
+    }
 
     [[nodiscard]] bool is_mirror() const {
         const auto& pbr = source_.pbrMetallicRoughness;
@@ -56,37 +56,75 @@ class MaterialReader {
     }
 
     void read_kind(Material& material) {
-        if (has_extension("KHR_materials_unlit")) {
-            warn("unlit treated as diffuse");
+        if (is_unlit()) {
+            warn("KHR_materials_unlit treated as diffuse");
+        } else if (is_specular_glossy()) {
+            warn_about_specular_part();
         } else if (is_mirror()) {
             material.kind = SurfaceKind::mirror;
-        } else if (number_or(source_.extensions, "KHR_materials_transmission", "transmissionFactor", 0) >=
-                   0.5) {
-            material.kind = SurfaceKind::dielectric;
-            read_dielectric(material);
+        } else {
+            if (source_.pbrMetallicRoughness.metallicFactor > 0) warn(metal_warning);
+            read_transmission(material);
         }
     }
 
-    void read_dielectric(Material& material) {
-        const tinygltf::Value& transmission = source_.extensions.at("KHR_materials_transmission");
-        const auto& pbr = source_.pbrMetallicRoughness;
-        if (number_or(transmission, "transmissionFactor", 0) < 1 || transmission.Has("transmissionTexture") ||
-            pbr.roughnessFactor > 0.01 || pbr.metallicRoughnessTexture.index >= 0)
-            warn("partial or rough transmission treated as clear, smooth glass");
-        const auto ior = static_cast<float>(number_or(source_.extensions, "KHR_materials_ior", "ior", 1.5));
+    void warn_about_specular_part() {
+        const auto specular =
+            numbers_or(extension("KHR_materials_pbrSpecularGlossiness"), "specularFactor", {1, 1, 1});
+        if (specular != std::vector<double>{0, 0, 0})
+            warn("KHR_materials_pbrSpecularGlossiness: specular part not drawn");
+    }
+
+    void read_transmission(Material& material) {
+        const tinygltf::Value& transmission = extension("KHR_materials_transmission");
+        // Metal lets nothing through.
+        const double transmitted = number_or(transmission, "transmissionFactor", 0) *
+                                   (1 - source_.pbrMetallicRoughness.metallicFactor);
+        if (transmitted <= 0) return;
+        if (transmitted < 0.5) {
+            warn("KHR_materials_transmission: transmission of less than one half treated as none");
+            return;
+        }
+        if (transmitted < 1 || transmission.Has("transmissionTexture") ||
+            source_.pbrMetallicRoughness.roughnessFactor > 0.01)
+            warn("KHR_materials_transmission: partial or rough transmission treated as clear, smooth glass");
+        read_glass(material);
+    }
+
+    void read_glass(Material& material) {
+        const bool has_inside = number_or(extension("KHR_materials_volume"), "thicknessFactor", 0) > 0;
+        material.kind = has_inside ? SurfaceKind::dielectric : SurfaceKind::thin_sheet;
+        const auto ior = static_cast<float>(number_or(extension("KHR_materials_ior"), "ior", 1.5));
         if (ior >= 1) {
             material.index_of_refraction = ior;
         } else {
-            warn("index of refraction below 1 replaced by 1.5");
+            warn("KHR_materials_ior: index of refraction below 1 replaced by 1.5");
         }
     }
 
+    void read_alpha_mode(Material& material) {
+        if (source_.alphaMode == "MASK") {
+            material.alpha_mode = AlphaMode::mask;
+        } else if (source_.alphaMode == "BLEND") {
+            material.alpha_mode = AlphaMode::blend;
+        } else if (source_.alphaMode != "OPAQUE") {
+            warn("alphaMode that glTF does not know treated as OPAQUE");
+        }
+        material.alpha_cutoff = static_cast<float>(source_.alphaCutoff);
+    }
+
     void read_base_color(Material& material) {
+        const tinygltf::Value& glossy = extension("KHR_materials_pbrSpecularGlossiness");
         const auto& pbr = source_.pbrMetallicRoughness;
-        const Rgb given = rgb_of(pbr.baseColorFactor);
+        const std::vector<double> rgba =
+            is_specular_glossy() ? numbers_or(glossy, "diffuseFactor", {1, 1, 1, 1}) : pbr.baseColorFactor;
+        const Rgb given = rgb_of(rgba);
         for (int c = 0; c < 3; ++c) material.base_color[c] = Imath::clamp(given[c], 0.0f, 1.0f);
         if (material.base_color != given) warn("base colour clamped to [0, 1]");
-        material.base_color_texture = read_texture(pbr.baseColorTexture, ColorSpace::srgb);
+        material.alpha = Imath::clamp(static_cast<float>(rgba[3]), 0.0f, 1.0f);
+        material.base_color_texture = read_texture(
+            is_specular_glossy() ? texture_info(glossy, "diffuseTexture") : pbr.baseColorTexture,
+            ColorSpace::srgb, material.alpha_mode == AlphaMode::opaque ? Alpha::left_out : Alpha::kept);
     }
 
     void read_normal_texture(Material& material) {
@@ -96,7 +134,7 @@ class MaterialReader {
 
     void read_emission(Material& material) {
         const double strength =
-            number_or(source_.extensions, "KHR_materials_emissive_strength", "emissiveStrength", 1);
+            number_or(extension("KHR_materials_emissive_strength"), "emissiveStrength", 1);
         // Factors above 1 break the specification, but say clearly what they mean and are common.
         Rgb radiance = rgb_of(source_.emissiveFactor) * static_cast<float>(strength);
         if (!is_finite(radiance))
@@ -106,7 +144,7 @@ class MaterialReader {
             radiance[c] = std::max(radiance[c], 0.0f);
         }
         if (!(max_component(radiance) > 0)) return;
-        if (has_extension("KHR_materials_unlit")) {
+        if (is_unlit()) {
             warn("emission of an unlit material left out");
             return;
         }
@@ -115,28 +153,15 @@ class MaterialReader {
     }
 
     template <class TextureInfo>
-    [[nodiscard]] TextureUse read_texture(const TextureInfo& info, ColorSpace color_space) {
+    [[nodiscard]] TextureUse read_texture(const TextureInfo& info, ColorSpace color_space,
+                                          Alpha alpha = Alpha::left_out) {
         if (info.index < 0) return {};
-        if (info.texCoord > 1) {
+        const int set = texcoord_set(info.texCoord, info.extensions);
+        if (set > 1) {
             warn("texture left out, which uses TEXCOORD_2 or above");
             return {};
         }
-        if (is_transformed(info.extensions)) warn("KHR_texture_transform ignored");
-        return {textures_.load(info.index, color_space), info.texCoord};
-    }
-
-    [[nodiscard]] static bool is_transformed(const Extensions& extensions) {
-        // Exporters write the extension with all its defaults too.
-        const auto transform = extensions.find("KHR_texture_transform");
-        if (transform == extensions.end()) return false;
-        const auto pair_is = [&](const char* key, double value) {
-            if (!transform->second.Has(key)) return true;
-            const tinygltf::Value& pair = transform->second.Get(std::string(key));
-            return pair.ArrayLen() == 2 && pair.Get(0).GetNumberAsDouble() == value &&
-                   pair.Get(1).GetNumberAsDouble() == value;
-        };
-        return !pair_is("offset", 0) || !pair_is("scale", 1) ||
-               number_or(transform->second, "rotation", 0) != 0 || transform->second.Has("texCoord");
+        return {textures_.load(info.index, color_space, alpha), set, texcoord_transform(info.extensions)};
     }
 
     const tinygltf::Material& source_;

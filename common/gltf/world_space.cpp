@@ -73,6 +73,17 @@ void to_world_space(Attributes& attributes, std::span<TriangleVertices> triangle
     for (TriangleVertices& corners : triangles) std::swap(corners[1], corners[2]);
 }
 
+void to_world_space(std::span<CornerTangents> tangents, const Imath::M44d& to_world) {
+    const Linear linear(to_world);
+    for (CornerTangents& corners : tangents) {
+        for (Tangent& tangent : corners)
+            tangent.direction = Vec3(linear.direction(V3d(tangent.direction)).normalized());
+        if (!linear.is_mirroring()) continue;
+        for (Tangent& tangent : corners) tangent.sign = -tangent.sign;
+        std::swap(corners[1], corners[2]);
+    }
+}
+
 Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
     const V3d twice_area = (V3d(b) - V3d(a)).cross(V3d(c) - V3d(a));
     // As triangle_area() has it: an area too small for a float is none.

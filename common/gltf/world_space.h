@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/gltf/primitive.h"
+#include "common/gltf/tangents.h"
 #include "common/gltf/warnings.h"
 
 namespace common::gltf {
@@ -20,6 +21,9 @@ void repair(Attributes& attributes, const std::string& name, Warnings& warnings)
 /// counter-clockwise seen from the front. Throws InputError for positions that are not finite in world space.
 void to_world_space(Attributes& attributes, std::span<TriangleVertices> triangles,
                     const Imath::M44d& to_world);
+
+/// The same for tangents that were made for the corners of the triangles.
+void to_world_space(std::span<CornerTangents> tangents, const Imath::M44d& to_world);
 
 /// Unit normal of a triangle, out of the side from which it is counter-clockwise; zero where it has no area.
 [[nodiscard]] Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c);

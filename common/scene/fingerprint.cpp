@@ -89,6 +89,8 @@ void add_texture(Hash& hash, const Texture& texture) {
     hash.add(texture.wrap());
     hash.add_all(texture.rgb());
     if (texture.has_alpha()) hash.add_all(texture.alpha());
+    if (!texture.rgb_16().empty()) hash.add_all(texture.rgb_16());
+    if (texture.filtering() != Filter::linear) hash.add(texture.filtering());
 }
 
 void add_lights(Hash& hash, const Scene& scene) {

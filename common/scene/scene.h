@@ -123,7 +123,7 @@ struct Scene {
     std::vector<Vec3> position;
     std::vector<Vec3> normal;  ///< unit, world space; the triangle's own where the file gives none
     std::array<std::vector<Vec2>, 2> texcoord;  ///< TEXCOORD_0, TEXCOORD_1; zero where absent
-    /// Unit tangent, world space, along increasing u of the normal texture; zero where the file gives none.
+    /// Unit tangent, world space, along increasing u of the normal texture; zero for the triangles' own.
     std::vector<Vec3> tangent;
     std::vector<float> tangent_sign;  ///< glTF's TANGENT.w: the bitangent is sign * cross(normal, tangent)
     // Both empty where no primitive has COLOR_0; otherwise 1 for the vertices of those that have none.

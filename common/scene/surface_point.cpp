@@ -7,16 +7,17 @@ struct TangentFrame {
     Vec3 tangent, bitangent;
 };
 
-/// Tangent and bitangent that belong to the texture coordinates of the normal map: the file's own, or else
-/// the triangle's derivatives of position by texture coordinate.
+/// Tangent and bitangent that belong to the texture coordinates of the normal map: the vertices' own, or else
+/// the triangle's derivatives of position by texture coordinate, where the map is read.
 TangentFrame tangent_frame_at(const Scene& scene, const SurfaceId& surface, const Vec3& normal,
-                              int texcoord_set) {
+                              const TextureUse& use) {
     const auto [a, b, c] = scene.triangle[surface.triangle];
     Vec3 tangent = interpolate(scene.tangent[a], scene.tangent[b], scene.tangent[c], surface.u, surface.v);
     float sign = scene.tangent_sign[a];
     if (tangent.length2() == 0) {
-        const auto& uv = scene.texcoord[texcoord_set];
-        const Vec2 duv1 = uv[b] - uv[a], duv2 = uv[c] - uv[a];
+        const auto& uv = scene.texcoord[use.texcoord_set];
+        const Vec2 uv_a = use.transform(uv[a]);
+        const Vec2 duv1 = use.transform(uv[b]) - uv_a, duv2 = use.transform(uv[c]) - uv_a;
         const Vec3 edge1 = scene.position[b] - scene.position[a],
                    edge2 = scene.position[c] - scene.position[a];
         const float determinant = duv1.x * duv2.y - duv1.y * duv2.x;
@@ -36,7 +37,7 @@ Vec3 normal_mapped(const Scene& scene, const SurfaceId& surface, const Material&
     const Vec3 texel = scene.texture[use.texture].sample(texcoord_at(scene, surface, use));
     const Vec3 bent = {(2 * texel.x - 1) * material.normal_scale, (2 * texel.y - 1) * material.normal_scale,
                        2 * texel.z - 1};
-    const auto [tangent, bitangent] = tangent_frame_at(scene, surface, normal, use.texcoord_set);
+    const auto [tangent, bitangent] = tangent_frame_at(scene, surface, normal, use);
     const Vec3 result = tangent * bent.x + bitangent * bent.y + normal * bent.z;
     return result.length2() > 0 ? result.normalized() : normal;
 }
@@ -55,7 +56,11 @@ Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, int texcoord_set)
 }
 
 Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, const TextureUse& use) {
-    return use.transform(texcoord_at(scene, surface, use.texcoord_set));
+    // The corners are taken there first, as the tracer does: both must round alike.
+    const auto [a, b, c] = scene.triangle[surface.triangle];
+    const auto& uv = scene.texcoord[use.texcoord_set];
+    return interpolate(use.transform(uv[a]), use.transform(uv[b]), use.transform(uv[c]), surface.u,
+                       surface.v);
 }
 
 Vec3 smooth_normal_at(const Scene& scene, const SurfaceId& surface) {
@@ -96,8 +101,7 @@ Rgb emitted_radiance_at(const Scene& scene, const SurfaceId& surface) {
     const Material& material = scene.material_of(surface.triangle);
     const TextureUse& use = material.emissive_texture;
     if (use.texture == no_texture) return material.emitted_radiance;
-    return material.emitted_radiance *
-           scene.texture[use.texture].sample(texcoord_at(scene, surface, use));
+    return material.emitted_radiance * scene.texture[use.texture].sample(texcoord_at(scene, surface, use));
 }
 
 SurfacePoint surface_point_at(const Scene& scene, const SurfaceId& surface, const Vec3& direction) {

@@ -51,22 +51,36 @@ Texels texels_around(float coordinate, int size, Wrap wrap) {
     return {inside(index), inside(index + 1), place - static_cast<float>(index)};
 }
 
+/// Sum over the four texels of what `value` gives for each, by their weights.
+template <class Value>
+auto weighted(const Texture::Footprint& around, const Value& value) {
+    const auto& [upper_left, upper_right, lower_left, lower_right] = around.texel;
+    const float left = 1 - around.right;
+    const auto upper = value(upper_left) * left + value(upper_right) * around.right;
+    const auto lower = value(lower_left) * left + value(lower_right) * around.right;
+    return upper * (1 - around.lower) + lower * around.lower;
+}
+
 }  // namespace
 
 Texture::Texture(std::string name, int width, int height, std::vector<std::uint8_t> rgb,
-                 ColorSpace color_space, Wrap wrap_u, Wrap wrap_v, std::vector<std::uint8_t> alpha)
+                 ColorSpace color_space, Wrap wrap_u, Wrap wrap_v, std::vector<std::uint8_t> alpha,
+                 Filter filtering, std::vector<std::uint16_t> rgb_16)
     : name_(std::move(name)),
       width_(width),
       height_(height),
       rgb_(std::move(rgb)),
       alpha_(std::move(alpha)),
+      rgb_16_(std::move(rgb_16)),
       color_space_(color_space),
       wrap_u_(wrap_u),
-      wrap_v_(wrap_v) {
+      wrap_v_(wrap_v),
+      filtering_(filtering) {
     if (width < 1 || height < 1 ||
         rgb_.size() / 3 / static_cast<std::size_t>(width) != static_cast<std::size_t>(height) ||
         rgb_.size() % (3 * static_cast<std::size_t>(width)) != 0 ||
-        (!alpha_.empty() && alpha_.size() != rgb_.size() / 3))
+        (!alpha_.empty() && alpha_.size() != rgb_.size() / 3) ||
+        (!rgb_16_.empty() && (rgb_16_.size() != rgb_.size() || color_space != ColorSpace::linear)))
         throw InputError(fmt::format("image '{}' does not have {} x {} RGB pixels", name_, width, height));
     for (std::size_t byte = 0; byte < linear_of_byte_.size(); ++byte) {
         const float value = static_cast<float>(byte) / 255.0f;
@@ -81,29 +95,29 @@ Texture::Footprint Texture::footprint(Vec2 texcoord) const {
         return 3 *
                (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
     };
+    // The nearest pixel is the one of the two that weighs more.
+    const auto weight_of = [this](const Texels& texels) {
+        if (filtering_ == Filter::linear) return texels.weight;
+        return texels.weight < 0.5f ? 0.0f : 1.0f;
+    };
     return {{byte_of(u.first, v.first), byte_of(u.second, v.first), byte_of(u.first, v.second),
              byte_of(u.second, v.second)},
-            u.weight,
-            v.weight};
+            weight_of(u),
+            weight_of(v)};
 }
 
 Rgb Texture::filter(const Footprint& around) const {
-    const auto& [upper_left, upper_right, lower_left, lower_right] = around.texel;
-    const float left = 1 - around.right;
-    const Rgb upper = linear(upper_left) * left + linear(upper_right) * around.right;
-    const Rgb lower = linear(lower_left) * left + linear(lower_right) * around.right;
-    return upper * (1 - around.lower) + lower * around.lower;
+    return weighted(around, [this](std::size_t texel) { return linear(texel); });
+}
+
+Rgb Texture::filter_16(const Footprint& around) const {
+    return weighted(around, [this](std::size_t texel) { return linear_16(texel); });
 }
 
 float Texture::sample_alpha(Vec2 texcoord) const {
     if (alpha_.empty()) return 1;
-    const Footprint around = footprint(texcoord);
-    const auto value = [&](std::size_t i) {
-        return static_cast<float>(alpha_[around.texel[i] / 3]) / 255.0f;
-    };
-    const float upper = value(0) * (1 - around.right) + value(1) * around.right;
-    const float lower = value(2) * (1 - around.right) + value(3) * around.right;
-    return upper * (1 - around.lower) + lower * around.lower;
+    return weighted(footprint(texcoord),
+                    [this](std::size_t texel) { return static_cast<float>(alpha_[texel / 3]) / 255.0f; });
 }
 
 }  // namespace common

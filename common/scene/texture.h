@@ -13,18 +13,27 @@ namespace common {
 
 enum class Wrap { repeat, clamp_to_edge, mirrored_repeat };
 
+/// What lies between the centres of pixels.
+enum class Filter {
+    linear,  ///< the four around, weighted
+    nearest  ///< the nearest alone
+};
+
 enum class ColorSpace {
     linear,  ///< data: normal maps
     srgb     ///< colours: base colour and emission; decoded to linear when sampled
 };
 
-/// 8-bit RGB image, some with alpha. Row 0 is the top row, at v = 0 (glTF 2.0, section 3.8.1).
+/// 8-bit RGB image, some with alpha, some of data with 16 bits. Row 0 is the top row, at v = 0 (glTF 2.0,
+/// section 3.8.1).
 class Texture {
   public:
     /// `rgb` holds 3 * width * height bytes, row by row, `alpha` a third of that, or none where it is 1
-    /// everywhere. Throws InputError where that does not hold.
+    /// everywhere. `rgb_16` is what `rgb` was rounded from, in 65535ths, or none; for data alone. Throws
+    /// InputError where that does not hold.
     Texture(std::string name, int width, int height, std::vector<std::uint8_t> rgb, ColorSpace color_space,
-            Wrap wrap_u, Wrap wrap_v, std::vector<std::uint8_t> alpha = {});
+            Wrap wrap_u, Wrap wrap_v, std::vector<std::uint8_t> alpha = {}, Filter filtering = Filter::linear,
+            std::vector<std::uint16_t> rgb_16 = {});
 
     /// The four texels around a place, and how they are weighted.
     struct Footprint {
@@ -33,10 +42,13 @@ class Texture {
         float right, lower;  ///< weights, in [0, 1]
     };
 
-    /// Bilinear sample at `texcoord`; linear values in [0, 1].
-    [[nodiscard]] Rgb sample(Vec2 texcoord) const { return filter(footprint(texcoord)); }
+    /// Sample at `texcoord`, filtered; linear values in [0, 1].
+    [[nodiscard]] Rgb sample(Vec2 texcoord) const {
+        return rgb_16_.empty() ? filter(footprint(texcoord)) : filter_16(footprint(texcoord));
+    }
 
-    // The same in two steps, for whoever has many samples to take: what the second reads can be prefetched.
+    // The same in two steps, for whoever has many colours to take: what the second reads can be prefetched.
+    // With 8 bits, whatever the image has.
     [[nodiscard]] Footprint footprint(Vec2 texcoord) const;
     void prefetch(const Footprint& around) const {
         __builtin_prefetch(&rgb_[around.texel[0]]);
@@ -44,7 +56,7 @@ class Texture {
     }
     [[nodiscard]] Rgb filter(const Footprint& around) const;
 
-    /// Bilinear sample of alpha, in [0, 1].
+    /// Sample of alpha, filtered, in [0, 1].
     [[nodiscard]] float sample_alpha(Vec2 texcoord) const;
 
     [[nodiscard]] const std::string& name() const { return name_; }
@@ -53,23 +65,33 @@ class Texture {
     [[nodiscard]] std::span<const std::uint8_t> rgb() const { return rgb_; }
     [[nodiscard]] bool has_alpha() const { return !alpha_.empty(); }
     [[nodiscard]] std::span<const std::uint8_t> alpha() const { return alpha_; }
+    [[nodiscard]] std::span<const std::uint16_t> rgb_16() const { return rgb_16_; }
     [[nodiscard]] ColorSpace color_space() const { return color_space_; }
     [[nodiscard]] std::array<Wrap, 2> wrap() const { return {wrap_u_, wrap_v_}; }
-    [[nodiscard]] std::size_t bytes() const { return rgb_.capacity() + alpha_.capacity(); }
+    [[nodiscard]] Filter filtering() const { return filtering_; }
+    [[nodiscard]] std::size_t bytes() const {
+        return rgb_.capacity() + alpha_.capacity() + sizeof(std::uint16_t) * rgb_16_.capacity();
+    }
 
   private:
+    [[nodiscard]] Rgb filter_16(const Footprint& around) const;
     [[nodiscard]] Rgb linear(std::size_t texel) const {
         return {linear_of_byte_[rgb_[texel]], linear_of_byte_[rgb_[texel + 1]],
                 linear_of_byte_[rgb_[texel + 2]]};
+    }
+    [[nodiscard]] Rgb linear_16(std::size_t texel) const {
+        return Rgb(rgb_16_[texel], rgb_16_[texel + 1], rgb_16_[texel + 2]) / 65535.0f;
     }
 
     std::string name_;
     int width_, height_;
     std::vector<std::uint8_t> rgb_;
-    std::vector<std::uint8_t> alpha_;  ///< none where it is 1 everywhere
+    std::vector<std::uint8_t> alpha_;    ///< none where it is 1 everywhere
+    std::vector<std::uint16_t> rgb_16_;  ///< none where the image has 8 bits
     std::array<float, 256> linear_of_byte_;
     ColorSpace color_space_;
     Wrap wrap_u_, wrap_v_;
+    Filter filtering_;
 };
 
 }  // namespace common

@@ -13,7 +13,9 @@ SurfaceTexture texture_of(const Scene& scene, std::uint32_t triangle) {
     const TextureUse& use = scene.material_of(triangle).base_color_texture;
     const auto [a, b, c] = scene.triangle[triangle];
     const auto& uv = scene.texcoord[use.texcoord_set];
-    return {uv[a], uv[b] - uv[a], uv[c] - uv[a], &scene.texture[use.texture]};
+    const Vec2 corner = use.transform(uv[a]);
+    return {corner, use.transform(uv[b]) - corner, use.transform(uv[c]) - corner,
+            &scene.texture[use.texture]};
 }
 
 }  // namespace

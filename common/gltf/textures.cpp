@@ -9,6 +9,7 @@
 
 #include "common/core/input_error.h"
 #include "common/gltf/accessor.h"
+#include "common/gltf/compression.h"
 
 namespace common::gltf {
 namespace {
@@ -33,6 +34,14 @@ std::span<const unsigned char> encoded_bytes(const tinygltf::Model& model, const
     return image.bufferView >= 0 ? view_bytes(model, image.bufferView) : std::span(image.image);
 }
 
+/// That a texture without an image that is read has one by an extension.
+std::string other_images(const tinygltf::Texture& texture) {
+    std::string names;
+    for (const auto& [name, extension] : texture.extensions)
+        names += (names.empty() ? ", only that of " : " and ") + name;
+    return names;
+}
+
 tinygltf::Image decode(std::span<const unsigned char> encoded, const std::string& name) {
     if (encoded.empty()) throw InputError(fmt::format("image '{}' cannot be read", name));
     tinygltf::Image decoded;
@@ -46,7 +55,12 @@ tinygltf::Image decode(std::span<const unsigned char> encoded, const std::string
             throw InputError(fmt::format("image '{}' cannot be decoded: {}", name, exception.what()));
         }
     }
-    if (!is_decoded) throw InputError(fmt::format("image '{}' cannot be decoded as PNG or JPEG", name));
+    if (!is_decoded) {
+        const std::string_view format = foreign_image_format(encoded);
+        if (!format.empty())
+            throw InputError(fmt::format("image '{}' is {}, which is not read", name, format));
+        throw InputError(fmt::format("image '{}' cannot be decoded as PNG or JPEG", name));
+    }
     return decoded;
 }
 
@@ -78,7 +92,8 @@ std::int32_t TextureLoader::load(int texture, ColorSpace color_space) {
     const tinygltf::Texture& source = model_.textures[static_cast<std::size_t>(texture)];
     // Checked only here: a texture that nothing reads may well have lost its image.
     if (source.source < 0 || static_cast<std::size_t>(source.source) >= model_.images.size())
-        throw InputError(fmt::format("textures/{} has no PNG or JPEG image", texture));
+        throw InputError(
+            fmt::format("textures/{} has no PNG or JPEG image{}", texture, other_images(source)));
     tinygltf::Sampler sampler;
     if (source.sampler >= 0) sampler = model_.samplers[static_cast<std::size_t>(source.sampler)];
     const Wrap wrap_u = wrap_of(sampler.wrapS);

@@ -51,7 +51,7 @@ inline GltfFile file_of_everything(const TemporaryDirectory& directory) {
     file.accessor(bind_matrices).update({{"type", "MAT4"}, {"count", 2}});
     // Buffer views 14 to 16.
     const int places = file.add_view({1, 2, 1});
-    const int values = file.add_view(bytes_of<float>({4, 0, 0, 0, 5, 0}));
+    const int values = file.add_view(bytes_of<float>({4, 1, 0, 0, 5, 1}));
     file.add_view(sixteen_bit_png());
     file.accessor(0)["sparse"] = {
         {"count", 1},
@@ -72,7 +72,7 @@ inline GltfFile file_of_everything(const TemporaryDirectory& directory) {
                                {{"primitives", {{{"attributes", skinned}}}}}};
     file.document["nodes"] = {{{"mesh", 0}},
                               {{"mesh", 1}, {"skin", 0}},
-                              {{"translation", {0, 2, 0}}},
+                              {{"translation", {0, 0, 2.5}}},
                               {{"camera", 0}},
                               {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}},
                               {{"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}},

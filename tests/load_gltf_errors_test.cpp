@@ -70,7 +70,7 @@ TEST_F(LoadGltfErrors, UnknownRequiredExtension) {
     EXPECT_TRUE(has_warning(load(file), "KHR_draco_mesh_compression"));
     file.document["extensionsRequired"] = {"KHR_draco_mesh_compression"};
     expect_error(file, "KHR_draco_mesh_compression");
-    file.document["extensionsRequired"] = {"KHR_materials_clearcoat", "KHR_lights_punctual"};
+    file.document["extensionsRequired"] = {"KHR_materials_unlit", "KHR_lights_punctual"};
     EXPECT_EQ(load(file).triangle.size(), 1u);
     file.document["extensionsRequired"] = 5;
     expect_error(file, "extensionsRequired");

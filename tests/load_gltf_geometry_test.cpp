@@ -211,17 +211,6 @@ TEST_F(LoadGltfGeometry, ReplacesBrokenNormalsAndTextureCoordinates) {
     EXPECT_TRUE(has_warning(scene, "texture coordinates that are not finite"));
 }
 
-TEST_F(LoadGltfGeometry, LeavesSkinsAndMorphTargetsAtRest) {
-    GltfFile file = one_triangle();
-    file.primitive()["targets"] = {{{"POSITION", 0}}};
-    file.document["skins"] = {{{"joints", {0}}}};
-    file.node()["skin"] = 0;
-    const Scene scene = load(file);
-    EXPECT_EQ(scene.position[1], Vec3(1, 0, 0));
-    EXPECT_TRUE(has_warning(scene, "skin"));
-    EXPECT_TRUE(has_warning(scene, "morph targets"));
-}
-
 TEST_F(LoadGltfGeometry, ReadsIntegersWrittenAsFloats) {
     GltfFile file = one_triangle();
     const int indices = file.add_accessor<std::uint8_t>({0, 2, 1}, u8, "SCALAR");

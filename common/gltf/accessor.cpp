@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <optional>
 #include <string>
 
 #include "common/core/input_error.h"
@@ -22,14 +21,6 @@ struct Layout {
     std::uint64_t stride;
     std::uint64_t element_size;
     std::uint64_t count;
-};
-
-/// Elements whose range has been checked.
-struct Elements {
-    const unsigned char* first;
-    std::size_t stride;
-
-    [[nodiscard]] const unsigned char* operator[](std::size_t i) const { return first + i * stride; }
 };
 
 Elements checked_elements(const tinygltf::Model& model, int buffer_view, const Layout& layout,
@@ -71,6 +62,15 @@ float component(const unsigned char* bytes, int type, bool normalized) {
         default:
             return load<float>(bytes);
     }
+}
+
+int accessor_type(int components) {
+    // tinygltf's numbers for VEC2, VEC3 and VEC4 are 2, 3 and 4.
+    return components == 16 ? TINYGLTF_TYPE_MAT4 : components;
+}
+
+std::string shape_name(int components) {
+    return components == 16 ? "MAT4" : fmt::format("VEC{}", components);
 }
 
 bool is_vector_component(int type) {
@@ -117,9 +117,10 @@ Elements dense_elements(const tinygltf::Model& model, const tinygltf::Accessor& 
     return checked_elements(model, accessor.bufferView, layout, where);
 }
 
-/// Which elements the sparse part replaces.
-std::vector<std::uint32_t> sparse_indices(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
-                                          const std::string& where) {
+/// The elements that the sparse part replaces, with their places in it.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> sparse_places(const tinygltf::Model& model,
+                                                                   const tinygltf::Accessor& accessor,
+                                                                   const std::string& where) {
     const auto& sparse = accessor.sparse;
     const int type = sparse.indices.componentType;
     if (!is_index(type))
@@ -131,39 +132,24 @@ std::vector<std::uint32_t> sparse_indices(const tinygltf::Model& model, const ti
     const Elements elements =
         checked_elements(model, sparse.indices.bufferView, layout, where + "/sparse/indices");
 
-    std::vector<std::uint32_t> indices(static_cast<std::size_t>(sparse.count));
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        indices[i] = index_at(elements[i], type);
-        if (indices[i] >= accessor.count)
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> places(static_cast<std::size_t>(sparse.count));
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
+        places[i] = {index_at(elements[i], type), i};
+        if (places[i].first >= accessor.count)
             throw InputError(fmt::format("{} has a sparse index beyond its end", where));
     }
-    return indices;
+    if (!std::is_sorted(places.begin(), places.end())) std::sort(places.begin(), places.end());
+    return places;
 }
 
-/// Where the elements of an accessor come from. Made before anything is allocated for them: only then is it
-/// known that the file is not much smaller than what it says it holds.
-struct Source {
-    std::optional<Elements> dense;
-    std::size_t dense_count;
-    std::vector<std::uint32_t> replaced;  ///< elements that the sparse part gives again
-    std::optional<Elements> sparse;
-
-    /// Calls `read(i, bytes)` for every element that the file gives bytes for; the last one for the same `i`
-    /// counts.
-    template <class Read>
-    void for_each(Read read) const {
-        for (std::size_t i = 0; dense && i < dense_count; ++i) read(i, (*dense)[i]);
-        for (std::size_t i = 0; i < replaced.size(); ++i) read(replaced[i], (*sparse)[i]);
-    }
-};
-
-Source checked_source(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
-                      std::size_t element_size, const std::string& where) {
+ElementSource checked_source(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
+                             std::size_t element_size, const std::string& where) {
     check_count(accessor, where);
-    Source source{{}, accessor.count, {}, {}};
+    ElementSource source;
+    source.count = accessor.count;
     if (accessor.bufferView >= 0) source.dense = dense_elements(model, accessor, element_size, where);
     if (accessor.sparse.isSparse) {
-        source.replaced = sparse_indices(model, accessor, where);
+        source.replaced = sparse_places(model, accessor, where);
         const Layout layout{static_cast<std::uint64_t>(accessor.sparse.values.byteOffset), element_size,
                             element_size, source.replaced.size()};
         source.sparse =
@@ -182,35 +168,68 @@ std::span<const unsigned char> view_bytes(const tinygltf::Model& model, int buff
     return {data.data() + view.byteOffset, view.byteLength};
 }
 
-std::vector<float> read_vectors(const tinygltf::Model& model, int accessor, int components) {
-    const tinygltf::Accessor& described = model.accessors[static_cast<std::size_t>(accessor)];
-    const std::string where = fmt::format("accessors/{}", accessor);
-    const int type = described.componentType;
-    // tinygltf's numbers for VEC2, VEC3 and VEC4 are 2, 3 and 4.
-    if (described.type != components || !is_vector_component(type))
-        throw InputError(fmt::format("{} is not the VEC{} that its use needs", where, components));
+const unsigned char* ElementSource::operator[](std::size_t i) const {
+    if (!replaced.empty()) {
+        // Of several places for the same element the last one counts.
+        const auto behind =
+            std::upper_bound(replaced.begin(), replaced.end(), i,
+                             [](std::size_t element, const auto& place) { return element < place.first; });
+        if (behind != replaced.begin() && std::prev(behind)->first == i)
+            return (*sparse)[std::prev(behind)->second];
+    }
+    return dense ? (*dense)[i] : nullptr;
+}
 
+const ElementSource& AccessorReader::source(int accessor, std::size_t element_size) {
+    const auto known = sources_.find(accessor);
+    if (known != sources_.end()) return known->second;
+    ElementSource checked = checked_source(model_, model_.accessors[static_cast<std::size_t>(accessor)],
+                                           element_size, fmt::format("accessors/{}", accessor));
+    return sources_.emplace(accessor, std::move(checked)).first->second;
+}
+
+const ElementSource& AccessorReader::vectors(int accessor, int components) {
+    const tinygltf::Accessor& described = model_.accessors[static_cast<std::size_t>(accessor)];
+    if (described.type != accessor_type(components) || !is_vector_component(described.componentType))
+        throw InputError(
+            fmt::format("accessors/{} is not the {} that its use needs", accessor, shape_name(components)));
+    return source(accessor, static_cast<std::size_t>(components) * component_size(described.componentType));
+}
+
+std::size_t AccessorReader::count(int accessor, int components) {
+    return vectors(accessor, components).count;
+}
+
+std::vector<float> AccessorReader::read_vectors(int accessor, int components,
+                                                std::span<const std::uint32_t> elements) {
+    const ElementSource& source = vectors(accessor, components);
+    const tinygltf::Accessor& described = model_.accessors[static_cast<std::size_t>(accessor)];
+    const int type = described.componentType;
     const auto width = static_cast<std::size_t>(components);
     const std::size_t size = component_size(type);
-    const Source source = checked_source(model, described, width * size, where);
-    std::vector<float> values(described.count * width);
-    source.for_each([&](std::size_t i, const unsigned char* bytes) {
+    std::vector<float> values(elements.size() * width);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const unsigned char* bytes = source[elements[i]];
+        if (bytes == nullptr) continue;
         for (std::size_t c = 0; c < width; ++c)
             values[i * width + c] = component(bytes + c * size, type, described.normalized);
-    });
+    }
     return values;
 }
 
-std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int accessor) {
-    const tinygltf::Accessor& described = model.accessors[static_cast<std::size_t>(accessor)];
-    const std::string where = fmt::format("accessors/{}", accessor);
+std::vector<std::uint32_t> AccessorReader::read_indices(int accessor) {
+    const tinygltf::Accessor& described = model_.accessors[static_cast<std::size_t>(accessor)];
     const int type = described.componentType;
     if (described.type != TINYGLTF_TYPE_SCALAR || !is_index(type) || described.normalized)
-        throw InputError(fmt::format("{} is not the list of unsigned integers that indices need", where));
+        throw InputError(
+            fmt::format("accessors/{} is not the list of unsigned integers that indices need", accessor));
 
-    const Source source = checked_source(model, described, component_size(type), where);
-    std::vector<std::uint32_t> indices(described.count);
-    source.for_each([&](std::size_t i, const unsigned char* bytes) { indices[i] = index_at(bytes, type); });
+    const ElementSource& elements = source(accessor, component_size(type));
+    std::vector<std::uint32_t> indices(elements.count);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const unsigned char* bytes = elements[i];
+        if (bytes != nullptr) indices[i] = index_at(bytes, type);
+    }
     return indices;
 }
 

@@ -25,9 +25,10 @@ enum class Type {
     object,
     flag,
     text,
-    number,   ///< that a float can hold
-    numbers,  ///< Rule::length of them
-    natural,  ///< integer >= 0
+    number,       ///< that a float can hold
+    numbers,      ///< Rule::length of them
+    number_list,  ///< any number of them
+    natural,      ///< integer >= 0
     natural_31_bit,
     index,    ///< into the list Rule::target
     indices,  ///< list, or object of named values, of them
@@ -137,22 +138,30 @@ std::vector<ListRules> list_rules() {
           {"/spot/innerConeAngle", Type::number},
           {"/spot/outerConeAngle", Type::number}}},
         {"/materials", material_rules()},
-        {"/meshes", {{"/name", Type::text}}},
+        {"/meshes", {{"/name", Type::text}, {"/weights", Type::number_list}}},
         {"/nodes",
          {{"/name", Type::text},
           {"/camera", Type::index, "/cameras"},
           {"/children", Type::indices, "/nodes"},
           {"/mesh", Type::index, "/meshes"},
+          {"/skin", Type::index, "/skins"},
+          {"/weights", Type::number_list},
           {"/matrix", Type::numbers, "", 16},
           {"/rotation", Type::numbers, "", 4},
           {"/scale", Type::numbers, "", 3},
           {"/translation", Type::numbers, "", 3},
-          {"/extensions/KHR_lights_punctual/light", Type::index, light_list}}},
+          {"/extensions/EXT_mesh_gpu_instancing/attributes", Type::indices, "/accessors"},
+          {"/extensions/KHR_lights_punctual/light", Type::index, light_list},
+          {"/extensions/KHR_node_visibility/visible", Type::flag}}},
         {"/samplers",
          {{"/magFilter", Type::natural_31_bit},
           {"/wrapS", Type::natural_31_bit},
           {"/wrapT", Type::natural_31_bit}}},
         {"/scenes", {{"/nodes", Type::indices, "/nodes"}}},
+        {"/skins",
+         {{"/joints", Type::indices, "/nodes"},
+          {"/inverseBindMatrices", Type::index, "/accessors"},
+          {"/skeleton", Type::index, "/nodes"}}},
         {"/textures",
          {{"/sampler", Type::index, "/samplers"}, {"/source", Type::natural_31_bit}, {"/name", Type::text}}},
     };
@@ -188,8 +197,8 @@ bool is_float(const Json& value) {
     return value.is_number() && std::abs(value.get<double>()) <= std::numeric_limits<float>::max();
 }
 
-bool are_floats(const Json& value, std::size_t length) {
-    return value.is_array() && value.size() == length && std::all_of(value.begin(), value.end(), is_float);
+bool are_floats(const Json& value) {
+    return value.is_array() && std::all_of(value.begin(), value.end(), is_float);
 }
 
 bool has_type(const Json& value, const Rule& rule) {
@@ -203,7 +212,9 @@ bool has_type(const Json& value, const Rule& rule) {
         case Type::number:
             return is_float(value);
         case Type::numbers:
-            return are_floats(value, rule.length);
+            return value.size() == rule.length && are_floats(value);
+        case Type::number_list:
+            return are_floats(value);
         case Type::natural:
             return value.is_number_unsigned();
         case Type::natural_31_bit:
@@ -241,12 +252,27 @@ void check_list(const Json& list, const std::vector<Rule>& rules, const Json& do
         check_object(list[i], rules, document, fmt::format("{}/{}", where, i));
 }
 
+void check_targets(const Json& primitive, const Json& document, const std::string& where) {
+    const Json& targets = find(primitive, "/targets");
+    if (targets.is_null()) return;
+    if (!targets.is_array()) throw InputError(fmt::format("{}/targets is not a list", where));
+    const Rule target{"", Type::indices, "/accessors"};
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const std::string place = fmt::format("{}/targets/{}", where, i);
+        if (!targets[i].is_object()) throw InputError(fmt::format("{} is not an object", place));
+        check_indices(targets[i], document, target, place);
+    }
+}
+
 void check_primitives(const Json& document) {
     const Json& meshes = find(document, "/meshes");
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-        if (meshes[i].contains("primitives"))
-            check_list(meshes[i]["primitives"], primitive_rules(), document,
-                       fmt::format("meshes/{}/primitives", i));
+        if (!meshes[i].contains("primitives")) continue;
+        const Json& primitives = meshes[i]["primitives"];
+        const std::string where = fmt::format("meshes/{}/primitives", i);
+        check_list(primitives, primitive_rules(), document, where);
+        for (std::size_t k = 0; k < primitives.size(); ++k)
+            check_targets(primitives[k], document, fmt::format("{}/{}", where, k));
     }
 }
 

@@ -20,19 +20,6 @@ constexpr std::size_t chunk_header_size = 8;
 
 using Bytes = std::span<const std::uint8_t>;
 
-std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
-    std::error_code error;
-    if (!std::filesystem::exists(file, error)) throw InputError("does not exist");
-    if (!std::filesystem::is_regular_file(file, error)) throw InputError("is not a file");
-    std::ifstream stream(file, std::ios::binary | std::ios::ate);
-    if (!stream) throw InputError("cannot be opened");
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(stream.tellg()));
-    stream.seekg(0);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!stream) throw InputError("cannot be read");
-    return bytes;
-}
-
 std::uint32_t little_endian_u32(Bytes bytes, std::size_t offset) {
     return static_cast<std::uint32_t>(bytes[offset]) | static_cast<std::uint32_t>(bytes[offset + 1]) << 8 |
            static_cast<std::uint32_t>(bytes[offset + 2]) << 16 |
@@ -100,6 +87,19 @@ void append_chunk(std::vector<std::uint8_t>& glb, std::uint32_t type, const Data
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) throw InputError("does not exist");
+    if (!std::filesystem::is_regular_file(file, error)) throw InputError("is not a file");
+    std::ifstream stream(file, std::ios::binary | std::ios::ate);
+    if (!stream) throw InputError("cannot be opened");
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(stream.tellg()));
+    stream.seekg(0);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (!stream) throw InputError("cannot be read");
+    return bytes;
+}
 
 Container parse_container(std::span<const std::uint8_t> file) {
     if (file.size() >= 4 && little_endian_u32(file, 0) == magic) return split_glb(file);

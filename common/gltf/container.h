@@ -11,6 +11,9 @@
 
 namespace common::gltf {
 
+/// The bytes of a file. Throws InputError where it cannot be read.
+[[nodiscard]] std::vector<std::uint8_t> read_file(const std::filesystem::path& file);
+
 /// The parts of a glTF file.
 struct Container {
     std::string json;

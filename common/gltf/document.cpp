@@ -2,17 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string>
-#include <system_error>
+#include <utility>
+#include <vector>
 
 #include "common/core/input_error.h"
 #include "common/gltf/check_json.h"
 #include "common/gltf/container.h"
 #include "common/gltf/extensions.h"
+#include "common/gltf/resources.h"
 
 namespace common::gltf {
 namespace {
@@ -49,7 +50,7 @@ Json parse_json(const std::string& text) {
 
 /// JSON lets a writer spell an integer "3.0"; tinygltf does not take that for one.
 void turn_whole_floats_into_integers(Json& value) {
-    constexpr double largest = 2147483647;  // no index or count of a real file is larger
+    constexpr double largest = 9007199254740992;  // beyond 2^53 floats do not tell integers apart
     if (value.is_structured()) {
         for (Json& element : value) turn_whole_floats_into_integers(element);
     } else if (value.is_number_float()) {
@@ -63,101 +64,100 @@ void turn_whole_floats_into_integers(Json& value) {
     }
 }
 
-/// tinygltf cuts integers in extensions down to 32 bits; a factor may be larger.
-void turn_large_integers_into_floats(Json& value) {
-    constexpr double largest = 2147483647;
-    if (value.is_structured()) {
-        for (Json& element : value) turn_large_integers_into_floats(element);
-    } else if (value.is_number_integer() && std::abs(value.get<double>()) > largest) {
-        value = value.get<double>();
+/// tinygltf cuts integers in extensions down to 32 bits; it reads floats as they are.
+void turn_large_integers_of_extensions_into_floats(Json& value, bool is_in_extension = false) {
+    if (value.is_object()) {
+        for (const auto& [key, element] : value.items())
+            turn_large_integers_of_extensions_into_floats(element, is_in_extension || key == "extensions");
+    } else if (value.is_array()) {
+        for (Json& element : value) turn_large_integers_of_extensions_into_floats(element, is_in_extension);
+    } else if (is_in_extension && value.is_number_integer()) {
+        const double number = value.get<double>();
+        if (std::abs(number) > std::numeric_limits<std::int32_t>::max()) value = number;
     }
 }
 
-void check_buffers(const Json& document, bool has_binary) {
-    if (has_binary || !document.contains("buffers")) return;
-    const Json& buffers = document.at("buffers");
-    for (std::size_t i = 0; i < buffers.size(); ++i) {
-        if (!buffers[i].contains("uri"))
-            throw InputError(
-                fmt::format("buffers/{} has no data: the file has no uri for it and no BIN chunk", i));
-    }
+std::string element_name(const Json& element, const char* list, std::size_t i) {
+    const bool is_named = element.is_object() && element.contains("name") && element["name"].is_string() &&
+                          !element["name"].get_ref<const std::string&>().empty();
+    return is_named ? fmt::format("'{}'", element["name"].get_ref<const std::string&>())
+                    : fmt::format("{}/{}", list, i);
 }
 
-/// The file name that a relative URI stands for (RFC 3986, section 2.1).
-std::string percent_decoded(const std::string& uri) {
-    std::string name;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        unsigned char byte = 0;
-        const char* digits = uri.data() + i + 1;
-        if (uri[i] == '%' && i + 2 < uri.size() &&
-            std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
-            name += static_cast<char>(byte);
-            i += 2;
-        } else {
-            name += uri[i];
+void warn_about_animations(const Json& document, Warnings& warnings) {
+    if (!document.contains("animations") || !document["animations"].is_array()) return;
+    const Json& animations = document["animations"];
+    for (std::size_t i = 0; i < animations.size(); ++i)
+        warnings.add("animations not played", element_name(animations[i], "animations", i));
+}
+
+/// What is read here and not by tinygltf: it decodes URIs in its own way, wants files to be as long as their
+/// buffers, and refuses skins without inverse bind matrices and indices without a buffer view.
+struct ReadHere {
+    std::vector<tinygltf::Buffer> buffers;
+    std::vector<tinygltf::Image> images;
+    std::vector<tinygltf::Skin> skins;
+    std::vector<int> indices;  ///< of all primitives of all meshes, -1 where there are none
+};
+
+std::vector<tinygltf::Skin> read_skins(const Json& document) {
+    std::vector<tinygltf::Skin> skins;
+    if (!document.contains("skins")) return skins;
+    for (const Json& described : document["skins"]) {
+        tinygltf::Skin skin;
+        skin.inverseBindMatrices = described.value("inverseBindMatrices", -1);
+        if (described.contains("joints") && described["joints"].is_array())
+            skin.joints = described["joints"].get<std::vector<int>>();
+        skins.push_back(std::move(skin));
+    }
+    return skins;
+}
+
+std::vector<int> take_out_indices(Json& document) {
+    std::vector<int> indices;
+    if (!document.contains("meshes")) return indices;
+    for (Json& mesh : document["meshes"]) {
+        if (!mesh.contains("primitives")) continue;
+        for (Json& primitive : mesh["primitives"]) {
+            indices.push_back(primitive.value("indices", -1));
+            primitive.erase("indices");
         }
     }
-    return name;
+    return indices;
 }
 
-/// A file may be longer than the buffer that it holds (glTF 2.0, section 3.6.1.1), but tinygltf wants them
-/// equal.
-void lengthen_buffers_to_their_files(Json& document, const std::filesystem::path& directory) {
-    if (!document.contains("buffers")) return;
-    for (Json& buffer : document["buffers"]) {
-        if (!buffer.contains("uri") || !buffer.contains("byteLength")) continue;
-        std::error_code is_no_file;
-        const std::uintmax_t size = std::filesystem::file_size(
-            directory / percent_decoded(buffer["uri"].get<std::string>()), is_no_file);
-        if (!is_no_file && size > buffer["byteLength"].get<std::uint64_t>()) buffer["byteLength"] = size;
-    }
+/// Takes the parts out of the document, together with what is not read at all, so that nothing in that can
+/// stop the file from loading.
+ReadHere take_out(Json& document, std::vector<std::uint8_t> binary, const std::filesystem::path& directory) {
+    ReadHere parts{read_buffers(document, std::move(binary), directory), read_images(document, directory),
+                   read_skins(document), take_out_indices(document)};
+    for (const char* part : {"buffers", "images", "skins", "animations", "extras"}) document.erase(part);
+    return parts;
 }
 
-std::set<std::size_t> needed_images(const Json& document) {
-    std::set<std::size_t> images;
-    if (!document.contains("materials")) return images;
-    for (const Json& material : document.at("materials")) {
-        for (const char* slot : {"/pbrMetallicRoughness/baseColorTexture/index", "/normalTexture/index",
-                                 "/emissiveTexture/index",
-                                 "/extensions/KHR_materials_pbrSpecularGlossiness/diffuseTexture/index"}) {
-            const Json::json_pointer index(slot);
-            if (!material.contains(index)) continue;
-            const Json& texture = document.at("textures").at(material.at(index).get<std::size_t>());
-            if (texture.contains("source")) images.insert(texture.at("source").get<std::size_t>());
+void put_in(ReadHere parts, tinygltf::Model& model) {
+    model.buffers = std::move(parts.buffers);
+    model.images = std::move(parts.images);
+    model.skins = std::move(parts.skins);
+    auto indices = parts.indices.begin();
+    for (tinygltf::Mesh& mesh : model.meshes) {
+        for (tinygltf::Primitive& primitive : mesh.primitives) {
+            if (indices == parts.indices.end()) throw InputError("has a primitive that is not readable");
+            primitive.indices = *indices++;
         }
     }
-    return images;
 }
 
-/// Takes out what is not read here, so that nothing in it can stop the file from loading.
-void leave_out_unneeded_parts(Json& document) {
-    for (const char* part : {"animations", "skins", "extras"}) document.erase(part);
-    if (!document.contains("images")) return;
-    const std::set<std::size_t> needed = needed_images(document);
-    for (std::size_t i = 0; i < document["images"].size(); ++i) {
-        if (!needed.contains(i)) document["images"][i] = {{"uri", ""}};
-    }
-}
-
-/// tinygltf's image callback: keeps the encoded bytes of a file or data URI.
-bool keep_encoded(tinygltf::Image* image, int, std::string*, std::string*, int, int,
-                  const unsigned char* bytes, int size, void*) {
-    // A buffer view is not copied; it is there to be read when the image is decoded.
-    if (image->bufferView < 0 && size > 0) image->image.assign(bytes, bytes + size);
-    image->as_is = true;
-    return true;
-}
-
-tinygltf::Model parse_with_tinygltf(const std::vector<std::uint8_t>& glb, const std::filesystem::path& file) {
+tinygltf::Model parse_with_tinygltf(const std::string& json) {
+    if (json.size() > std::numeric_limits<unsigned int>::max())
+        throw InputError("has more than 4 GiB of JSON");
     tinygltf::TinyGLTF reader;
-    reader.SetImageLoader(keep_encoded, nullptr);
     tinygltf::Model model;
     std::string error, warning;
     bool is_read = false;
     try {
-        is_read =
-            reader.LoadBinaryFromMemory(&model, &error, &warning, glb.data(),
-                                        static_cast<unsigned int>(glb.size()), file.parent_path().string());
+        is_read = reader.LoadASCIIFromString(&model, &error, &warning, json.data(),
+                                             static_cast<unsigned int>(json.size()), "");
     } catch (const std::exception& exception) {
         error = exception.what();
     }
@@ -169,16 +169,17 @@ tinygltf::Model parse_with_tinygltf(const std::vector<std::uint8_t>& glb, const 
 }  // namespace
 
 tinygltf::Model read_document(const std::filesystem::path& file, Warnings& warnings) {
-    const Container container = read_container(file);
+    Container container = read_container(file);
     Json document = parse_json(container.json);
     turn_whole_floats_into_integers(document);
-    if (document.contains("materials")) turn_large_integers_into_floats(document["materials"]);
     if (document.is_object()) check_extensions(document, warnings);
     check_json(document);
-    check_buffers(document, !container.binary.empty());
-    lengthen_buffers_to_their_files(document, file.parent_path());
-    leave_out_unneeded_parts(document);
-    return parse_with_tinygltf(make_glb(document.dump(), container.binary), file);
+    warn_about_animations(document, warnings);
+    ReadHere parts = take_out(document, std::move(container.binary), file.parent_path());
+    turn_large_integers_of_extensions_into_floats(document);
+    tinygltf::Model model = parse_with_tinygltf(document.dump());
+    put_in(std::move(parts), model);
+    return model;
 }
 
 }  // namespace common::gltf

@@ -11,10 +11,8 @@ namespace common::gltf {
 
 /// Reads `file` with its buffers. All indices between the model's lists are in range (but
 /// Texture::source), and all buffer views
-/// inside their buffers. Animations and skins are left out. Images are not decoded: those with a buffer view
-/// are to be taken from it, the others hold the bytes of their file in `Image::image` (empty where that could
-/// not be read), and images that no material needs hold nothing. Throws InputError for everything that is
-/// wrong with the file.
+/// inside their buffers. Animations are left out, with a warning. Images are not decoded; read_images() says
+/// what they hold. Throws InputError for everything that is wrong with the file.
 [[nodiscard]] tinygltf::Model read_document(const std::filesystem::path& file, Warnings& warnings);
 
 }  // namespace common::gltf

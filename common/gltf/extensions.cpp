@@ -5,68 +5,113 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/core/input_error.h"
 
 namespace common::gltf {
 namespace {
 
-/// Honoured, or warned about where they are used.
-constexpr std::array<std::string_view, 16> known = {
-    "KHR_lights_punctual",
-    "KHR_materials_anisotropy",
-    "KHR_materials_clearcoat",
-    "KHR_materials_diffuse_transmission",
-    "KHR_materials_dispersion",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",
-    "KHR_materials_iridescence",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_sheen",
-    "KHR_materials_specular",
-    "KHR_materials_transmission",
-    "KHR_materials_unlit",
-    "KHR_materials_volume",
-    "KHR_mesh_quantization",
-    "KHR_texture_transform",
+using Json = nlohmann::json;
+
+enum class Treatment {
+    read,     ///< drawn as the file says; where it is not, what reads that part warns
+    unseen,    ///< changes nothing that is to be seen before something is played
+    fallback,  ///< offers a choice of looks, of which the one without a choice is drawn
+    not_drawn  ///< the material says so, where it asks for something (not_drawn.h)
 };
 
-/// These change how a surface looks, not where it is or what it emits: a scene is still that scene without
-/// them.
-constexpr std::array<std::string_view, 4> harmless = {
-    "KHR_animation_pointer",
-    "KHR_materials_variants",
-    "KHR_xmp",
-    "KHR_xmp_json_ld",
+struct Extension {
+    std::string_view name;
+    Treatment treatment;
 };
 
-template <std::size_t size>
-bool contains(const std::array<std::string_view, size>& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+/// All others are not drawn: refused where the file requires them, and warned about elsewhere.
+constexpr std::array<Extension, 24> known = {{
+    {"EXT_mesh_gpu_instancing", Treatment::read},
+    {"KHR_lights_punctual", Treatment::read},
+    {"KHR_materials_emissive_strength", Treatment::read},
+    {"KHR_materials_ior", Treatment::read},
+    {"KHR_materials_pbrSpecularGlossiness", Treatment::read},
+    {"KHR_materials_transmission", Treatment::read},
+    {"KHR_materials_unlit", Treatment::read},
+    {"KHR_materials_volume", Treatment::read},
+    {"KHR_mesh_quantization", Treatment::read},
+    {"KHR_node_visibility", Treatment::read},
+    {"KHR_texture_transform", Treatment::read},
+    {"KHR_animation_pointer", Treatment::unseen},
+    {"KHR_node_hoverability", Treatment::unseen},
+    {"KHR_node_selectability", Treatment::unseen},
+    {"KHR_xmp", Treatment::unseen},
+    {"KHR_xmp_json_ld", Treatment::unseen},
+    {"KHR_materials_variants", Treatment::fallback},
+    {"KHR_materials_anisotropy", Treatment::not_drawn},
+    {"KHR_materials_clearcoat", Treatment::not_drawn},
+    {"KHR_materials_diffuse_transmission", Treatment::not_drawn},
+    {"KHR_materials_dispersion", Treatment::not_drawn},
+    {"KHR_materials_iridescence", Treatment::not_drawn},
+    {"KHR_materials_sheen", Treatment::not_drawn},
+    {"KHR_materials_specular", Treatment::not_drawn},
+}};
+
+const Extension* find_known(std::string_view name) {
+    const auto* found =
+        std::find_if(known.begin(), known.end(), [&](const Extension& each) { return each.name == name; });
+    return found == known.end() ? nullptr : found;
 }
 
-std::vector<std::string> extension_list(const nlohmann::json& document, const char* key) {
+void warn(const std::string& name, const std::string& place, Warnings& warnings) {
+    const Extension* extension = find_known(name);
+    if (extension == nullptr) {
+        warnings.add(fmt::format("extension {} ignored", name), place);
+    } else if (extension->treatment == Treatment::fallback) {
+        warnings.add(fmt::format("extension {} ignored, its default is drawn", name), place);
+    }
+}
+
+std::vector<std::string> extension_list(const Json& document, const char* key) {
     std::vector<std::string> names;
     if (!document.contains(key)) return names;
-    const nlohmann::json& list = document.at(key);
+    const Json& list = document.at(key);
     if (!list.is_array()) throw InputError(fmt::format("{} is not a list of names", key));
-    for (const nlohmann::json& name : list) {
+    for (const Json& name : list) {
         if (!name.is_string()) throw InputError(fmt::format("{} is not a list of names", key));
         names.push_back(name.get<std::string>());
     }
     return names;
 }
 
+/// Warns of the extensions of `value` and of all that is in it, but for "extras", which can hold anything.
+/// Notes their names in `used`.
+void warn_about_used(const Json& value, const std::string& place, std::set<std::string>& used,
+                     Warnings& warnings) {
+    if (value.is_object() && value.contains("extensions") && value.at("extensions").is_object()) {
+        for (const auto& [name, extension] : value.at("extensions").items()) {
+            used.insert(name);
+            warn(name, place.empty() ? "the file" : place, warnings);
+        }
+    }
+    for (const auto& [key, element] : value.items()) {
+        if (element.is_structured() && key != "extras")
+            warn_about_used(element, place.empty() ? key : place + "/" + key, used, warnings);
+    }
+}
+
 }  // namespace
 
-void check_extensions(const nlohmann::json& document, Warnings& warnings) {
+void check_extensions(const Json& document, Warnings& warnings) {
     for (const std::string& name : extension_list(document, "extensionsRequired")) {
-        if (!contains(known, name) && !contains(harmless, name))
+        const Extension* extension = find_known(name);
+        if (extension == nullptr || extension->treatment == Treatment::not_drawn)
             throw InputError(fmt::format("requires the extension {}, which is not supported", name));
     }
+    std::set<std::string> used;
+    warn_about_used(document, "", used, warnings);
     for (const std::string& name : extension_list(document, "extensionsUsed")) {
-        if (!contains(known, name)) warnings.add("extensions ignored", name);
+        if (!used.contains(name)) warn(name, "extensionsUsed", warnings);
     }
 }
 

@@ -7,8 +7,8 @@
 
 namespace common::gltf {
 
-/// Throws InputError, naming it, for an extension that the file requires and that is not known here; adds a
-/// warning for each one that is used and ignored.
+/// Throws InputError, naming it, for an extension that the file requires and that is not drawn; adds a
+/// warning for each one that is listed or used somewhere and not drawn, with its whole name.
 void check_extensions(const nlohmann::json& document, Warnings& warnings);
 
 }  // namespace common::gltf

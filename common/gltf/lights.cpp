@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "common/core/input_error.h"
 
@@ -23,27 +24,33 @@ Rgb strength(const tinygltf::Light& light, const std::string& where) {
     return color;
 }
 
-SpotLight spot_light(const tinygltf::Light& light, const PlacedNode& node, const std::string& where,
-                     Warnings& warnings) {
+SpotLight spot_light(const tinygltf::Light& light, const Vec3& position, const Vec3& axis,
+                     const std::string& where, Warnings& warnings) {
     const double outer = std::clamp(light.spot.outerConeAngle, 0.0, std::numbers::pi / 2);
     const double inner = std::clamp(light.spot.innerConeAngle, 0.0, outer);
     if (outer != light.spot.outerConeAngle || inner != light.spot.innerConeAngle)
         warnings.add("cone angles clamped to 0 <= inner <= outer <= pi/2", where);
-    return {node.origin(), node.direction({0, 0, -1}), strength(light, where),
-            static_cast<float>(std::cos(inner)), static_cast<float>(std::cos(outer))};
+    return {position, axis, strength(light, where), static_cast<float>(std::cos(inner)),
+            static_cast<float>(std::cos(outer))};
 }
 
 void append_light(const tinygltf::Light& light, const PlacedNode& node, const std::string& where,
                   Scene& scene, Warnings& warnings) {
-    if (light.range > 0) warnings.add("range of a light ignored", where);
-    if (light.type == "point") {
-        scene.point_light.push_back({node.origin(), strength(light, where)});
-    } else if (light.type == "spot") {
-        scene.spot_light.push_back(spot_light(light, node, where, warnings));
-    } else if (light.type == "directional") {
-        scene.directional_light.push_back({node.direction({0, 0, -1}), strength(light, where)});
-    } else {
+    const bool is_spot = light.type == "spot";
+    if (!is_spot && light.type != "point" && light.type != "directional")
         throw InputError(fmt::format("{} is of the unknown type '{}'", where, light.type));
+    const std::optional<Vec3> direction = node.direction({0, 0, -1});
+    if (light.type != "point" && !direction) {
+        warnings.add("lights left out whose node is scaled to nothing and has no direction", where);
+        return;
+    }
+    if (light.range > 0) warnings.add("range of a light ignored", where);
+    if (is_spot) {
+        scene.spot_light.push_back(spot_light(light, node.origin(), *direction, where, warnings));
+    } else if (light.type == "point") {
+        scene.point_light.push_back({node.origin(), strength(light, where)});
+    } else {
+        scene.directional_light.push_back({*direction, strength(light, where)});
     }
 }
 
@@ -54,7 +61,8 @@ void append_lights(const tinygltf::Model& model, std::span<const PlacedNode> nod
     for (const PlacedNode& placed : nodes) {
         const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(placed.node)];
         const auto extension = node.extensions.find("KHR_lights_punctual");
-        if (extension == node.extensions.end() || !extension->second.Has("light")) continue;
+        if (!placed.is_visible || extension == node.extensions.end() || !extension->second.Has("light"))
+            continue;
         const int index = extension->second.Get(std::string("light")).GetNumberAsInt();
         const tinygltf::Light& light = model.lights[static_cast<std::size_t>(index)];
         const std::string where =

@@ -11,7 +11,8 @@
 
 namespace common::gltf {
 
-/// Appends the light of every node that has one. glTF's photometric numbers are taken as radiometric ones:
+/// Appends the light of every visible node that has one, but spots and directional lights under a node that
+/// has no direction, of which it warns. glTF's photometric numbers are taken as radiometric ones:
 /// candela as W/sr, lux as W/m^2. Throws InputError for a light of unknown type or a negative colour or
 /// intensity.
 void append_lights(const tinygltf::Model& model, std::span<const PlacedNode> nodes, Scene& scene,

@@ -7,11 +7,17 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "common/core/input_error.h"
+#include "common/core/memory_use.h"
+#include "common/gltf/compression.h"
 #include "common/gltf/materials.h"
+#include "common/gltf/mesh_instances.h"
+#include "common/gltf/morph_targets.h"
 #include "common/gltf/not_drawn.h"
 #include "common/gltf/primitive.h"
+#include "common/gltf/skins.h"
 #include "common/gltf/tangents.h"
 #include "common/gltf/world_space.h"
 
@@ -147,73 +153,159 @@ std::vector<CornerTangents> made_tangents(const Attributes& attributes,
     return corner_tangents(attributes, texcoord, triangles);
 }
 
-/// Returns how many triangles had no area and were left out.
-std::size_t append_instance(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
-                            const PlacedNode& node, const std::string& name, Scene& scene,
-                            Warnings& warnings) {
-    Attributes attributes = read_attributes(model, primitive);
-    const auto vertex_count = static_cast<std::uint32_t>(attributes.position.size());
-    std::vector<TriangleVertices> triangles = read_triangles(model, primitive, vertex_count);
-    repair(attributes, name, warnings);
-    if (attributes.normal.empty()) attributes.tangent.clear();  // glTF 2.0, section 3.7.2.1
-    const std::uint32_t material = material_index(scene, primitive.material);
-    std::vector<CornerTangents> tangents;
-    if (!is_normal_map_of_derivatives(model, primitive.material))
-        tangents = made_tangents(attributes, triangles, scene.material[material].normal_texture);
-    to_world_space(attributes, triangles, node.to_world);
-    to_world_space(tangents, node.to_world);
+/// A primitive as it lies in the file: its triangles, and the vertices that they use in the space of the
+/// node.
+struct PrimitiveGeometry {
+    std::string name;
+    PrimitiveTriangles triangles;
+    Attributes attributes;
+    std::vector<CornerTangents> tangents;  ///< made for its normal map, one per triangle; or none
+    std::uint32_t material;
+};
 
-    MeshInstance instance{name,
-                          static_cast<std::uint32_t>(scene.triangle.size()),
-                          0,
-                          material,
-                          {!attributes.texcoord[0].empty(), !attributes.texcoord[1].empty()}};
-    const std::size_t left_out = append_triangles(triangles, attributes, tangents, scene);
-    instance.triangle_count = static_cast<std::uint32_t>(scene.triangle.size()) - instance.first_triangle;
-    if (instance.triangle_count > 0) {
-        if (primitive.material < 0) warnings.add(metal_warning, fmt::format("default material of {}", name));
-        warn_about_missing_texcoords(scene.material[instance.material], instance, warnings);
-        scene.instance.push_back(instance);
-    }
-    return left_out;
-}
+/// Appends the meshes of one model to one scene.
+class MeshAppender {
+  public:
+    MeshAppender(const tinygltf::Model& model, std::span<const PlacedNode> nodes, Scene& scene,
+                 Warnings& warnings)
+        : model_(model),
+          scene_(scene),
+          warnings_(warnings),
+          triangles_(accessors_),
+          skins_(model, nodes, accessors_) {}
 
-/// Whether there are triangles to read, with a warning where not, and about what they are read without.
-bool is_readable(const tinygltf::Primitive& primitive, const std::string& name, Warnings& warnings) {
-    if (!is_made_of_triangles(primitive)) {
-        warnings.add("points or lines left out", name);
-        return false;
-    }
-    if (!primitive.attributes.contains("POSITION")) {
-        warnings.add("primitives without positions left out", name);
-        return false;
-    }
-    if (!primitive.targets.empty()) warnings.add("morph targets ignored", name);
-    return true;
-}
-
-}  // namespace
-
-void append_meshes(const tinygltf::Model& model, std::span<const PlacedNode> nodes, Scene& scene,
-                   Warnings& warnings) {
-    std::size_t left_out = 0;
-    for (const PlacedNode& placed : nodes) {
-        const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(placed.node)];
-        if (node.mesh < 0) continue;
-        if (node.skin >= 0)
-            warnings.add("skin ignored, mesh in its rest pose", node_name(model, placed.node));
-        const auto& primitives = model.meshes[static_cast<std::size_t>(node.mesh)].primitives;
-        for (std::size_t i = 0; i < primitives.size(); ++i) {
-            const std::string name = instance_name(model, node, i);
-            if (!is_readable(primitives[i], name, warnings)) continue;
+    void append_mesh(const PlacedNode& placed) {
+        const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(placed.node)];
+        const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
+        for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+            const std::string name = instance_name(model_, node, i);
             try {
-                left_out += append_instance(model, primitives[i], placed, name, scene, warnings);
+                if (is_readable(mesh.primitives[i], name))
+                    append_primitive(mesh.primitives[i], rest_weights(mesh, node), placed, name);
             } catch (const InputError& error) {
                 throw InputError(fmt::format("mesh '{}': {}", name, error.what()));
             }
         }
     }
-    if (left_out > 0) warnings.add("zero-area triangles left out", std::to_string(left_out));
+
+    /// Triangles without area, which are not in the scene.
+    [[nodiscard]] std::size_t left_out() const { return left_out_; }
+
+  private:
+    /// Whether there are triangles to read, with a warning where not.
+    [[nodiscard]] bool is_readable(const tinygltf::Primitive& primitive, const std::string& name) {
+        check_compression(model_, primitive);
+        if (!is_made_of_triangles(primitive)) {
+            warnings_.add("points or lines left out", name);
+            return false;
+        }
+        if (!primitive.attributes.contains("POSITION")) {
+            warnings_.add("primitives without positions left out", name);
+            return false;
+        }
+        return true;
+    }
+
+    void append_primitive(const tinygltf::Primitive& primitive, std::span<const double> weights,
+                          const PlacedNode& placed, const std::string& name) {
+        PrimitiveGeometry geometry{
+            name, triangles_.read(primitive), {}, {}, material_index(scene_, primitive.material)};
+        if (geometry.triangles.triangle.empty()) return;
+        const std::vector<std::uint32_t>& vertices = geometry.triangles.vertex;
+        geometry.attributes = read_attributes(accessors_, primitive, vertices);
+        morph(accessors_, primitive, weights, vertices, geometry.attributes, name, warnings_);
+        repair(geometry.attributes, name, warnings_);
+        if (geometry.attributes.normal.empty()) geometry.attributes.tangent.clear();  // as section 3.7.2.1 says
+
+        const MeshInstances instances(model_, placed, accessors_, warnings_);
+        if (append_skinned(primitive, placed, geometry)) {
+            if (instances.are_listed()) warnings_.add("instances of a mesh with a skin drawn as one", name);
+            return;
+        }
+        make_tangents(primitive, geometry);
+        check_room(geometry, instances.count());
+        for (std::size_t i = 0; i < instances.count(); ++i) {
+            PrimitiveGeometry instance = i + 1 == instances.count() ? std::move(geometry) : geometry;
+            if (instances.are_listed()) instance.name = fmt::format("{}[{}]", name, i);
+            to_world_space(instance.attributes, instance.triangles.triangle, instances.to_world(i));
+            to_world_space(instance.tangents, instances.to_world(i));
+            append(instance);
+        }
+    }
+
+    /// False where the node has no skin, or one that cannot be used.
+    [[nodiscard]] bool append_skinned(const tinygltf::Primitive& primitive, const PlacedNode& placed,
+                                      PrimitiveGeometry& geometry) {
+        const int skin = model_.nodes[static_cast<std::size_t>(placed.node)].skin;
+        if (skin < 0) return false;
+        const std::vector<Imath::M44d> joints = skins_.joints_to_world(skin);
+        if (joints.empty() || !has_joints(primitive)) {
+            warnings_.add("skins ignored whose joints are not in the scene or move no vertex", geometry.name);
+            return false;
+        }
+        to_world_space(geometry.attributes, geometry.triangles.triangle,
+                       vertices_to_world(accessors_, primitive, joints, geometry.triangles.vertex,
+                                         geometry.name, warnings_));
+        make_tangents(primitive, geometry);
+        append(geometry);
+        return true;
+    }
+
+    void make_tangents(const tinygltf::Primitive& primitive, PrimitiveGeometry& geometry) const {
+        if (!is_normal_map_of_derivatives(model_, primitive.material))
+            geometry.tangents = made_tangents(geometry.attributes, geometry.triangles.triangle,
+                                              scene_.material[geometry.material].normal_texture);
+    }
+
+    /// Before any memory is taken: a short file can ask for very many instances.
+    void check_room(const PrimitiveGeometry& geometry, std::size_t instances) const {
+        const std::size_t triangles = geometry.triangles.triangle.size();
+        if (instances == 1 || triangles == 0) return;
+        // Generous: 56 bytes a vertex, 28 a triangle, a few hundred an instance, and lists grow by doubling.
+        const double needed = static_cast<double>(instances) * (500.0 * static_cast<double>(triangles) + 500);
+        if (needed > static_cast<double>(available_bytes()))
+            throw InputError(fmt::format("{} instances of {} triangles need more memory than there is",
+                                         instances, triangles));
+    }
+
+    /// Appends geometry that is in world space.
+    void append(const PrimitiveGeometry& geometry) {
+        const Attributes& attributes = geometry.attributes;
+        MeshInstance instance{geometry.name,
+                              static_cast<std::uint32_t>(scene_.triangle.size()),
+                              0,
+                              geometry.material,
+                              {!attributes.texcoord[0].empty(), !attributes.texcoord[1].empty()}};
+        left_out_ += append_triangles(geometry.triangles.triangle, attributes, geometry.tangents, scene_);
+        instance.triangle_count =
+            static_cast<std::uint32_t>(scene_.triangle.size()) - instance.first_triangle;
+        if (instance.triangle_count == 0) return;
+        if (geometry.material == material_index(scene_, -1))
+            warnings_.add(metal_warning, fmt::format("default material of {}", geometry.name));
+        warn_about_missing_texcoords(scene_.material[instance.material], instance, warnings_);
+        scene_.instance.push_back(instance);
+    }
+
+    const tinygltf::Model& model_;
+    Scene& scene_;
+    Warnings& warnings_;
+    AccessorReader accessors_{model_};
+    TriangleReader triangles_;
+    Skins skins_;
+    std::size_t left_out_ = 0;
+};
+
+}  // namespace
+
+void append_meshes(const tinygltf::Model& model, std::span<const PlacedNode> nodes, Scene& scene,
+                   Warnings& warnings) {
+    MeshAppender appender(model, nodes, scene, warnings);
+    for (const PlacedNode& placed : nodes) {
+        if (placed.is_visible && model.nodes[static_cast<std::size_t>(placed.node)].mesh >= 0)
+            appender.append_mesh(placed);
+    }
+    if (appender.left_out() > 0)
+        warnings.add("zero-area triangles left out", std::to_string(appender.left_out()));
 }
 
 }  // namespace common::gltf

@@ -11,9 +11,11 @@
 
 namespace common::gltf {
 
-/// Appends one MeshInstance, with its vertices and triangles, for every triangle primitive of every node's
-/// mesh; needs the materials to be there. Throws InputError for what is wrong with a primitive, for positions
-/// that are not finite in world space, and for more vertices or triangles than 32 bits can count.
+/// Appends one MeshInstance, with its vertices and triangles, for every triangle primitive of every visible
+/// node's mesh, as often as the node has it by EXT_mesh_gpu_instancing; needs the materials to be there.
+/// Morph targets and skins are applied as they are where no animation plays. Throws InputError for what is
+/// wrong with a primitive, for positions that are not finite in world space, for more vertices or triangles
+/// than 32 bits can count, and for more instances than there is memory for.
 void append_meshes(const tinygltf::Model& model, std::span<const PlacedNode> nodes, Scene& scene,
                    Warnings& warnings);
 

@@ -4,6 +4,9 @@
 #include <Imath/ImathMatrix.h>
 #include <tiny_gltf.h>
 
+#include <array>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,10 +18,10 @@ namespace common::gltf {
 struct PlacedNode {
     int node;              ///< index into the model's nodes
     Imath::M44d to_world;  ///< affine; for row vectors, as Imath has them: world = local * to_world
+    bool is_visible;       ///< false where KHR_node_visibility hides it or a node above it
 
-    /// A direction of the node's own space in world space, unit. Throws InputError where the transform
-    /// flattens it.
-    [[nodiscard]] Vec3 direction(const Imath::V3d& local) const;
+    /// A direction of the node's own space in world space, unit; nothing where the transform flattens it.
+    [[nodiscard]] std::optional<Vec3> direction(const Imath::V3d& local) const;
     [[nodiscard]] Vec3 origin() const { return Vec3(to_world.translation()); }
 };
 
@@ -29,5 +32,22 @@ struct PlacedNode {
 
 /// The node's name, or its place in the file where it has none.
 [[nodiscard]] std::string node_name(const tinygltf::Model& model, int node);
+
+/// glTF's column-major matrix of 16 numbers for column vectors, for row vectors.
+template <class Number>
+[[nodiscard]] Imath::M44d matrix_of(std::span<const Number> elements) {
+    // It has the memory layout of Imath's row-major one for row vectors.
+    Imath::M44d matrix;
+    for (std::size_t i = 0; i < 16; ++i) matrix.getValue()[i] = static_cast<double>(elements[i]);
+    return matrix;
+}
+
+/// The transform that scales, then rotates by the quaternion (x, y, z, w) of any length, then translates.
+/// Throws InputError for a quaternion without a direction.
+[[nodiscard]] Imath::M44d transform_of(const Imath::V3d& scale, const std::array<double, 4>& rotation,
+                                       const Imath::V3d& translation);
+
+/// Throws InputError for a transform that is not finite as floats or not affine.
+void check_transform(const Imath::M44d& matrix);
 
 }  // namespace common::gltf

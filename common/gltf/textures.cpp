@@ -10,6 +10,7 @@
 
 #include "common/core/input_error.h"
 #include "common/gltf/accessor.h"
+#include "common/gltf/compression.h"
 
 namespace common::gltf {
 namespace {
@@ -53,7 +54,12 @@ tinygltf::Image decode(std::span<const unsigned char> encoded, const std::string
             throw InputError(fmt::format("image '{}' cannot be decoded: {}", name, exception.what()));
         }
     }
-    if (!is_decoded) throw InputError(fmt::format("image '{}' cannot be decoded as PNG or JPEG", name));
+    if (!is_decoded) {
+        const std::string_view format = foreign_image_format(encoded);
+        if (!format.empty())
+            throw InputError(fmt::format("image '{}' is {}, which is not read", name, format));
+        throw InputError(fmt::format("image '{}' cannot be decoded as PNG or JPEG", name));
+    }
     return decoded;
 }
 

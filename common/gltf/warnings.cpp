@@ -17,12 +17,11 @@ std::string one_line(std::string_view text) {
 }
 
 void Warnings::add(const std::string& what, const std::string& where) {
-    const auto known = std::find_if(entries_.begin(), entries_.end(),
-                                    [&](const Entry& entry) { return entry.what == what; });
-    if (known == entries_.end()) {
+    const auto [known, is_new] = entry_of_.try_emplace(what, entries_.size());
+    if (is_new) {
         entries_.push_back({what, where, 1});
     } else {
-        ++known->places;
+        ++entries_[known->second].places;
     }
 }
 

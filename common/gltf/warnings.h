@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,7 @@ class Warnings {
         std::size_t places;
     };
     std::vector<Entry> entries_;
+    std::map<std::string, std::size_t> entry_of_;  ///< by complaint
 };
 
 }  // namespace common::gltf

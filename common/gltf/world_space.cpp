@@ -50,6 +50,16 @@ Vec3 world_position(const Vec3& local, const Imath::M44d& to_world) {
     return world;
 }
 
+void move_vertex(Attributes& attributes, std::size_t i, const Imath::M44d& to_world, const Linear& linear) {
+    attributes.position[i] = world_position(attributes.position[i], to_world);
+    if (!attributes.normal.empty())
+        attributes.normal[i] = Vec3(linear.normal(V3d(attributes.normal[i])).normalized());
+    if (attributes.tangent.empty()) return;
+    attributes.tangent[i] = Vec3(linear.direction(V3d(attributes.tangent[i])).normalized());
+    // Mirrored, cross(normal, tangent) points the other way than the mirrored bitangent.
+    if (linear.is_mirroring()) attributes.tangent_sign[i] = -attributes.tangent_sign[i];
+}
+
 }  // namespace
 
 void repair(Attributes& attributes, const std::string& name, Warnings& warnings) {
@@ -64,12 +74,8 @@ void repair(Attributes& attributes, const std::string& name, Warnings& warnings)
 void to_world_space(Attributes& attributes, std::span<TriangleVertices> triangles,
                     const Imath::M44d& to_world) {
     const Linear linear(to_world);
-    for (Vec3& position : attributes.position) position = world_position(position, to_world);
-    for (Vec3& normal : attributes.normal) normal = Vec3(linear.normal(V3d(normal)).normalized());
-    for (Vec3& tangent : attributes.tangent) tangent = Vec3(linear.direction(V3d(tangent)).normalized());
+    for (std::size_t i = 0; i < attributes.position.size(); ++i) move_vertex(attributes, i, to_world, linear);
     if (!linear.is_mirroring()) return;
-    // Mirrored, cross(normal, tangent) points the other way than the mirrored bitangent.
-    for (float& sign : attributes.tangent_sign) sign = -sign;
     for (TriangleVertices& corners : triangles) std::swap(corners[1], corners[2]);
 }
 
@@ -81,6 +87,15 @@ void to_world_space(std::span<CornerTangents> tangents, const Imath::M44d& to_wo
         if (!linear.is_mirroring()) continue;
         for (Tangent& tangent : corners) tangent.sign = -tangent.sign;
         std::swap(corners[1], corners[2]);
+    }
+}
+
+void to_world_space(Attributes& attributes, std::span<TriangleVertices> triangles,
+                    std::span<const Imath::M44d> to_world) {
+    for (std::size_t i = 0; i < attributes.position.size(); ++i)
+        move_vertex(attributes, i, to_world[i], Linear(to_world[i]));
+    for (TriangleVertices& corners : triangles) {
+        if (Linear(to_world[corners[0]]).is_mirroring()) std::swap(corners[1], corners[2]);
     }
 }
 

@@ -25,6 +25,11 @@ void to_world_space(Attributes& attributes, std::span<TriangleVertices> triangle
 /// The same for tangents that were made for the corners of the triangles.
 void to_world_space(std::span<CornerTangents> tangents, const Imath::M44d& to_world);
 
+/// The same with a transform for each vertex, as skins have; the first corner's decides whether a triangle is
+/// turned round.
+void to_world_space(Attributes& attributes, std::span<TriangleVertices> triangles,
+                    std::span<const Imath::M44d> to_world);
+
 /// Unit normal of a triangle, out of the side from which it is counter-clockwise; zero where it has no area.
 [[nodiscard]] Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c);
 

@@ -8,6 +8,7 @@
 #include "common/core/input_error.h"
 #include "common/gltf/materials.h"
 #include "common/gltf/primitive.h"
+#include "common/gltf/vertex_colors.h"
 #include "common/gltf/world_space.h"
 
 namespace common::gltf {
@@ -26,8 +27,17 @@ std::string instance_name(const tinygltf::Model& model, const tinygltf::Node& no
 /// Copies a primitive's triangles, already in world space, to the end of the scene.
 class InstanceWriter {
   public:
-    InstanceWriter(Scene& scene, const Attributes& attributes)
-        : scene_(scene), attributes_(attributes), vertex_of_(attributes.position.size(), not_yet) {}
+    InstanceWriter(Scene& scene, const Attributes& attributes, const VertexColors& colors)
+        : scene_(scene),
+          attributes_(attributes),
+          colors_(colors),
+          writes_colors_(!colors.color.empty() || !scene.color.empty()),
+          vertex_of_(attributes.position.size(), not_yet) {
+        if (!writes_colors_ || !scene.color.empty()) return;
+        // The scene's first colours: what came before is white.
+        scene.color.assign(scene.position.size(), Rgb(1, 1, 1));
+        scene.alpha.assign(scene.position.size(), 1.0f);
+    }
 
     void add_triangle(const TriangleVertices& corners, const Vec3& geometric_normal) {
         TriangleVertices triangle;
@@ -63,18 +73,25 @@ class InstanceWriter {
             const std::vector<Vec2>& texcoord = attributes_.texcoord[set];
             scene_.texcoord[set].push_back(texcoord.empty() ? Vec2(0) : texcoord[corner]);
         }
+        if (writes_colors_) {
+            const bool has_color = !colors_.color.empty();
+            scene_.color.push_back(has_color ? colors_.color[corner] : Rgb(1, 1, 1));
+            scene_.alpha.push_back(has_color ? colors_.alpha[corner] : 1.0f);
+        }
         return static_cast<std::uint32_t>(scene_.position.size() - 1);
     }
 
     Scene& scene_;
     const Attributes& attributes_;
+    const VertexColors& colors_;
+    bool writes_colors_;
     std::vector<std::uint32_t> vertex_of_;
 };
 
 /// Returns how many triangles had no area and were left out.
 std::size_t append_triangles(std::span<const TriangleVertices> triangles, const Attributes& attributes,
-                             Scene& scene) {
-    InstanceWriter writer(scene, attributes);
+                             const VertexColors& colors, Scene& scene) {
+    InstanceWriter writer(scene, attributes, colors);
     std::size_t left_out = 0;
     for (const TriangleVertices& corners : triangles) {
         const auto& position = attributes.position;
@@ -107,13 +124,16 @@ std::size_t append_instance(const tinygltf::Model& model, const tinygltf::Primit
     std::vector<TriangleVertices> triangles = read_triangles(model, primitive, vertex_count);
     repair(attributes, name, warnings);
     to_world_space(attributes, triangles, node.to_world);
+    const std::uint32_t material = material_index(scene, primitive.material);
+    const VertexColors colors =
+        read_vertex_colors(model, primitive, scene.material[material], vertex_count, name, warnings);
 
     MeshInstance instance{name,
                           static_cast<std::uint32_t>(scene.triangle.size()),
                           0,
-                          material_index(scene, primitive.material),
+                          material,
                           {!attributes.texcoord[0].empty(), !attributes.texcoord[1].empty()}};
-    const std::size_t left_out = append_triangles(triangles, attributes, scene);
+    const std::size_t left_out = append_triangles(triangles, attributes, colors, scene);
     instance.triangle_count = static_cast<std::uint32_t>(scene.triangle.size()) - instance.first_triangle;
     if (instance.triangle_count > 0) {
         warn_about_missing_texcoords(scene.material[instance.material], instance, warnings);

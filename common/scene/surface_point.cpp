@@ -55,7 +55,11 @@ Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, int texcoord_set)
 }
 
 Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, const TextureUse& use) {
-    return use.transform(texcoord_at(scene, surface, use.texcoord_set));
+    // Moved, then interpolated, as the tracer does it (SurfaceTexture): see interpolate().
+    const auto [a, b, c] = scene.triangle[surface.triangle];
+    const auto& uv = scene.texcoord[use.texcoord_set];
+    return interpolate(use.transform(uv[a]), use.transform(uv[b]), use.transform(uv[c]), surface.u,
+                       surface.v);
 }
 
 Vec3 smooth_normal_at(const Scene& scene, const SurfaceId& surface) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/core/input_error.h"
+#include "tests/see_through.h"
 #include "tests/statistics.h"
 #include "tests/tracing.h"
 
@@ -170,6 +171,27 @@ TEST(PhotonSource, EmitsTheMeanOfAnEmissiveTexture) {
     }
     EXPECT_NEAR(flux.mean(), 9 * pi, z_for(1e-5) * flux.standard_error()) << "seed " << seed;
     EXPECT_EQ(from_the_left.mean(), 0) << "the dark half";
+}
+
+TEST(PhotonSource, HolesEmitNothing) {
+    constexpr std::uint64_t seed = 5;
+    const Material light = diffuse(Rgb(0, 0, 0), Rgb(1, 2, 3));
+    const Scene half = lamp(blended(light, 0.5f));
+    expect_near(PhotonSource(half).power(), Rgb(1, 2, 3) * static_cast<float>(3 * pi), 1e-6);
+    expect_mean_flux_is_power(half, "there in part");
+    EXPECT_THROW(PhotonSource{lamp(masked(light, 0.4f))}, common::InputError) << "a lamp that is not there";
+
+    Scene fence;
+    add(fence, quad({0, 0, 0}, {2, 0, 0}, {0, 3, 0}), masked(checkered(fence, light)));
+    const PhotonSource source(fence);
+    Sample flux, dark;
+    for (std::uint64_t i = 0; i < photon_count; ++i) {
+        const EmittedPhoton photon = source.emit(seed, i);
+        flux.add(photon.flux.z);
+        dark.add(photon.flux == Rgb(0, 0, 0));
+    }
+    EXPECT_NEAR(dark.mean(), 0.5, z_for(1e-5) * dark.standard_error()) << "half of the lamp is holes";
+    EXPECT_NEAR(flux.mean(), 9 * pi, z_for(1e-5) * flux.standard_error()) << "seed " << seed;
 }
 
 TEST(PhotonSource, SpotLightsMayHaveASharpEdge) {

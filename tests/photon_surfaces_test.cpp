@@ -4,7 +4,8 @@
 
 #include <random>
 
-#include "tests/scene_builder.h"
+#include "common/scene/coverage.h"
+#include "tests/see_through.h"
 
 namespace {
 
@@ -20,7 +21,8 @@ TEST(PhotonSurfaces, RoundAsTheSceneDoes) {
     scene.texture.emplace_back("grey", 1, 1, std::vector<std::uint8_t>(3, 128), common::ColorSpace::linear,
                                common::Wrap::repeat, common::Wrap::repeat);
     Material textured = diffuse(Rgb(1, 1, 1));
-    textured.base_color_texture.texture = 0;
+    // Turned and moved, as KHR_texture_transform may have it.
+    textured.base_color_texture = {0, 0, {{0.3f, -7}, {0.8f, 0.6f}, {-0.6f, 0.8f}}};
     for (int i = 0; i < 100; ++i) {
         Mesh mesh = quad(place(), place(), place());
         for (Vec2& uv : mesh.texcoord[0]) uv = {anywhere(engine), anywhere(engine)};
@@ -30,6 +32,9 @@ TEST(PhotonSurfaces, RoundAsTheSceneDoes) {
                                                      Vec2(anywhere(engine), anywhere(engine))};
         add(scene, mesh, textured);
     }
+    for (std::uint32_t i = 0; i < scene.instance.size(); ++i)
+        set_color(scene, i,
+                  [&](const Vec3&) { return Rgb(uniform(engine), uniform(engine), uniform(engine)); });
     const common::PhotonSurfaces surfaces(scene);
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t)
         for (int i = 0; i < 20; ++i) {
@@ -37,9 +42,10 @@ TEST(PhotonSurfaces, RoundAsTheSceneDoes) {
             EXPECT_EQ(surfaces[t].position(u, v), common::position_at(scene, {t, u, v}));
             const common::TextureUse& use = scene.material_of(t).base_color_texture;
             EXPECT_EQ(surfaces.texture(t).texcoord(u, v), common::texcoord_at(scene, {t, u, v}, use));
-            if (t < 2) {
-                EXPECT_EQ(surfaces.texture(t).texcoord(u, v), common::texcoord_at(scene, {t, u, v}, 0));
-            }
+            const Vec2 texcoord = surfaces.texture(t).texcoord(u, v);
+            const Rgb color = surfaces[t].base_color * surfaces.texture(t).texture->sample(texcoord) *
+                              surfaces.colors(t).color(u, v);
+            EXPECT_EQ(color, common::base_color_at(scene, {t, u, v}));
         }
 }
 
@@ -56,6 +62,36 @@ TEST(PhotonSurfaces, ReadTheTextureWhereItIsMoved) {
     EXPECT_EQ(surfaces.texture(0).texcoord(0, 0), Vec2(0.25f, 0.5f));
     EXPECT_EQ(surfaces.texture(0).texcoord(1, 0), Vec2(0.25f, -1.5f));
     EXPECT_EQ(surfaces.texture(0).texcoord(0, 1), Vec2(3.25f, -1.5f));
+}
+
+TEST(PhotonSurfaces, KnowWhatEachTriangleTakes) {
+    using common::PhotonSurface;
+    Scene scene = see_through_room();
+    const std::uint32_t plain = 1;
+    scene.material[plain].alpha_mode = common::AlphaMode::blend;  // with an alpha of 1
+    const auto add_plate = [&](const Material& material) {
+        add(scene, quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), material);
+        return static_cast<std::uint32_t>(scene.instance.size()) - 1;
+    };
+    const std::uint32_t masked_away = add_plate(masked(diffuse(Rgb(1, 1, 1)), 0.3f)),
+                        textured = add_plate(checkered(scene, diffuse(Rgb(1, 1, 1)))),
+                        colored_too = add_plate(checkered(scene, diffuse(Rgb(1, 1, 1))));
+    set_color(scene, colored_too, [](const Vec3&) { return Rgb(0.5f, 1, 1); });
+    const common::PhotonSurfaces surfaces(scene);
+    for (const auto& [instance, kind] :
+         {std::pair(+first_wall, PhotonSurface::colored_diffuse), std::pair(plain, PhotonSurface::diffuse),
+          std::pair(+lamp, PhotonSurface::perforated_diffuse),
+          std::pair(+fence, PhotonSurface::perforated_diffuse),
+          std::pair(+veil, PhotonSurface::perforated_diffuse), std::pair(+pane, PhotonSurface::specular),
+          std::pair(+colored_ball, PhotonSurface::colored_diffuse),
+          std::pair(+blended_ball, PhotonSurface::perforated_diffuse),
+          std::pair(masked_away, PhotonSurface::specular),
+          std::pair(textured, PhotonSurface::textured_diffuse),
+          std::pair(colored_too, PhotonSurface::textured_colored_diffuse)}) {
+        const common::PhotonSurface& surface = surfaces[scene.instance[instance].first_triangle];
+        EXPECT_EQ(surface.kind, kind) << "instance " << instance;
+        EXPECT_EQ(surface.stores(), kind != PhotonSurface::specular);
+    }
 }
 
 }  // namespace

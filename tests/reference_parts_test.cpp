@@ -4,8 +4,10 @@
 #include "common/reference/expected_light.h"
 #include "common/reference/light_sample.h"
 #include "common/reference/paths_not_found.h"
+#include "common/reference/straight_line.h"
 #include "common/reference/strata.h"
 #include "tests/reference_tracing.h"
+#include "tests/see_through.h"
 
 namespace {
 
@@ -313,6 +315,9 @@ TEST(ReferenceLights, TellsWhatNoPathFinds) {
     add(scene, sphere({0, 0, 0}, 0.2f, 0), glass());
     scene.directional_light.push_back({{0, 0, 1}, Rgb(1, 1, 1)});
     EXPECT_EQ(paths_not_found(scene), "light of 1 point, 1 directional lights by way of mirrors or glass");
+    scene.material.back().kind = common::SurfaceKind::thin_sheet;  // what comes straight through is found
+    EXPECT_EQ(paths_not_found(scene),
+              "light of 1 point, 1 directional lights by way of reflections in thin glass");
     scene.point_light.clear();
     scene.directional_light.clear();
     EXPECT_EQ(paths_not_found(scene), "");
@@ -331,6 +336,52 @@ TEST(Occluded, SeesWhatLiesBetweenAndNothingElse) {
     EXPECT_TRUE(rays.occluded(origin, up, 0.51f));
     EXPECT_FALSE(rays.occluded(origin, -up, std::numeric_limits<float>::infinity()));
     EXPECT_FALSE(rays.occluded(Vec3(2, 0, 0), up, std::numeric_limits<float>::infinity()));
+}
+
+TEST(Nearest, GoesAsFarAsItIsAsked) {
+    Scene scene;
+    add(scene, quad({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}), diffuse(Rgb(0, 0, 0)));
+    const common::RayScene rays(scene);
+    const Vec3 origin(0.1f, 0, 0.2f), up(0, 2, 0);
+    EXPECT_TRUE(rays.nearest(origin, up));
+    EXPECT_TRUE(rays.nearest(origin, up, 0.51f));
+    EXPECT_FALSE(rays.nearest(origin, up, 0.49f));
+    EXPECT_FALSE(rays.nearest(origin, -up));
+}
+
+// --- straight lines past what lets light through
+
+TEST(StraightLine, MultipliesWhatEachSurfaceLetsThrough) {
+    Scene scene;
+    EXPECT_FALSE(has_see_through(scene));
+    const auto add_sheet = [&](float height, const Material& material) {
+        add(scene, quad({-1, height, -1}, {2, 0, 0}, {0, 0, 2}), material);
+    };
+    add_sheet(1, blended(diffuse(Rgb(1, 1, 1)), 1));
+    EXPECT_FALSE(has_see_through(scene)) << "BLEND with alpha 1";
+    scene = {};
+    add_sheet(1, blended(diffuse(Rgb(0.1f, 0.2f, 0.3f)), 0.25f));
+    add_sheet(2, thin_sheet(1.5f, Rgb(1, 0.5f, 0.25f)));
+    add_sheet(3, diffuse(Rgb(1, 1, 1)));
+    EXPECT_TRUE(has_see_through(scene));
+    const common::RayScene rays(scene);
+    const Vec3 below(0.1f, 0, 0.2f), up(0, 2, 0);
+    const double sheet = 1 - 2 * 0.04 / 1.04;
+    const auto expect_part = [&](const V3d& part, const V3d& expected) {
+        EXPECT_LT((part - expected).length(), 1e-6) << part << expected;
+    };
+    expect_part(part_that_arrives(rays, below, up, 0.49f), V3d(1, 1, 1));
+    expect_part(part_that_arrives(rays, below, up, 0.75f), V3d(0.75));
+    expect_part(part_that_arrives(rays, below, up, 1.25f), V3d(1, 0.5, 0.25) * (0.75 * sheet));
+    expect_part(part_that_arrives(rays, below, up, 1.51f), V3d(0, 0, 0));
+    expect_part(part_that_arrives(rays, below, up, std::numeric_limits<float>::infinity()), V3d(0, 0, 0));
+    expect_part(part_that_arrives(rays, {0.1f, 2.5f, 0.2f}, -up, std::numeric_limits<float>::infinity()),
+                V3d(1, 0.5, 0.25) * (0.75 * sheet));
+    // Ends on a sheet, or within rounding of it.
+    for (const float reach : {0.5f, 0.5f + 1e-7f, 0.5f - 1e-7f}) {
+        const V3d part = part_that_arrives(rays, below, up, reach);
+        EXPECT_TRUE(part == V3d(1, 1, 1) || part == V3d(0.75)) << part;
+    }
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) emitting += scene.material_of(t).emits();
     double area = 0;
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) area += common::triangle_area(scene, t);
-    std::array<std::size_t, 3> kinds = {0, 0, 0};
+    std::array<std::size_t, 4> kinds = {0, 0, 0, 0};
     for (const common::Material& material : scene.material) ++kinds[static_cast<std::size_t>(material.kind)];
     std::vector<std::string> warnings = scene.warnings;
     warnings.insert(warnings.end(), prepared.lightmap_trouble().begin(), prepared.lightmap_trouble().end());
@@ -83,7 +83,11 @@ Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
             {"bounds",
              {{scene.bounds.min.x, scene.bounds.min.y, scene.bounds.min.z},
               {scene.bounds.max.x, scene.bounds.max.y, scene.bounds.max.z}}},
-            {"materials", {{"diffuse", kinds[0]}, {"mirror", kinds[1]}, {"dielectric", kinds[2]}}},
+            {"materials",
+             {{"diffuse", kinds[0]},
+              {"mirror", kinds[1]},
+              {"dielectric", kinds[2]},
+              {"thin_sheet", kinds[3]}}},
             {"textures", scene.texture.size()},
             {"lights",
              {{"emitting_triangles", emitting},

@@ -28,7 +28,7 @@ PhotonFate follow(const common::RayScene& rays, const common::PhotonSource& sour
         const auto met = rays.nearest(origin, direction);
         if (!met) return event == 0 ? PhotonFate::missed : PhotonFate::escaped;
         const common::PhotonSurface& surface = rays.surfaces()[met->triangle];
-        run.report.hits += surface.kind != common::PhotonSurface::specular;
+        run.report.hits += surface.stores();
         const auto u = random_uniforms(seed, photon, event, common::RandomPurpose::scattering);
         const auto scattered = common::scatter(rays.scene(), *met, direction, flux, u);
         if (!scattered) return PhotonFate::absorbed;

@@ -9,7 +9,7 @@
 namespace common {
 
 /// What a block of random numbers is for; no two purposes share numbers.
-enum class RandomPurpose : std::uint32_t { emission_origin, emission_direction, scattering };
+enum class RandomPurpose : std::uint32_t { emission_origin, emission_direction, scattering, looking };
 
 /// Four numbers in [0, 1), a pure function of the arguments: Philox4x32-10 (Salmon et al., "Parallel Random
 /// Numbers: As Easy as 1, 2, 3", 2011), keyed by the seed and counted by photon, event along its path and

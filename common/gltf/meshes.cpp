@@ -19,6 +19,7 @@
 #include "common/gltf/primitive.h"
 #include "common/gltf/skins.h"
 #include "common/gltf/tangents.h"
+#include "common/gltf/vertex_colors.h"
 #include "common/gltf/world_space.h"
 
 namespace common::gltf {
@@ -37,8 +38,17 @@ std::string instance_name(const tinygltf::Model& model, const tinygltf::Node& no
 /// Copies a primitive's triangles, already in world space, to the end of the scene.
 class InstanceWriter {
   public:
-    InstanceWriter(Scene& scene, const Attributes& attributes)
-        : scene_(scene), attributes_(attributes), vertex_of_(attributes.position.size(), not_yet) {}
+    InstanceWriter(Scene& scene, const Attributes& attributes, const VertexColors& colors)
+        : scene_(scene),
+          attributes_(attributes),
+          colors_(colors),
+          writes_colors_(!colors.color.empty() || !scene.color.empty()),
+          vertex_of_(attributes.position.size(), not_yet) {
+        if (!writes_colors_ || !scene.color.empty()) return;
+        // The scene's first colours: what came before is white.
+        scene.color.assign(scene.position.size(), Rgb(1, 1, 1));
+        scene.alpha.assign(scene.position.size(), 1.0f);
+    }
 
     void add_triangle(const TriangleVertices& corners, const Vec3& geometric_normal,
                       const CornerTangents* made) {
@@ -90,11 +100,18 @@ class InstanceWriter {
             const std::vector<Vec2>& texcoord = attributes_.texcoord[set];
             scene_.texcoord[set].push_back(texcoord.empty() ? Vec2(0) : texcoord[corner]);
         }
+        if (writes_colors_) {
+            const bool has_color = !colors_.color.empty();
+            scene_.color.push_back(has_color ? colors_.color[corner] : Rgb(1, 1, 1));
+            scene_.alpha.push_back(has_color ? colors_.alpha[corner] : 1.0f);
+        }
         return static_cast<std::uint32_t>(scene_.position.size() - 1);
     }
 
     Scene& scene_;
     const Attributes& attributes_;
+    const VertexColors& colors_;
+    bool writes_colors_;
     std::vector<std::uint32_t> vertex_of_;
     /// Further vertices of the scene for one of the primitive's, by it and their tangent.
     std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> twin_of_;
@@ -102,8 +119,9 @@ class InstanceWriter {
 
 /// Returns how many triangles had no area and were left out.
 std::size_t append_triangles(std::span<const TriangleVertices> triangles, const Attributes& attributes,
-                             std::span<const CornerTangents> made, Scene& scene) {
-    InstanceWriter writer(scene, attributes);
+                             std::span<const CornerTangents> made, const VertexColors& colors,
+                             Scene& scene) {
+    InstanceWriter writer(scene, attributes, colors);
     std::size_t left_out = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const TriangleVertices& corners = triangles[t];
@@ -160,6 +178,7 @@ struct PrimitiveGeometry {
     PrimitiveTriangles triangles;
     Attributes attributes;
     std::vector<CornerTangents> tangents;  ///< made for its normal map, one per triangle; or none
+    VertexColors colors;
     std::uint32_t material;
 };
 
@@ -209,13 +228,16 @@ class MeshAppender {
     void append_primitive(const tinygltf::Primitive& primitive, std::span<const double> weights,
                           const PlacedNode& placed, const std::string& name) {
         PrimitiveGeometry geometry{
-            name, triangles_.read(primitive), {}, {}, material_index(scene_, primitive.material)};
+            name, triangles_.read(primitive), {}, {}, {}, material_index(scene_, primitive.material)};
         if (geometry.triangles.triangle.empty()) return;
         const std::vector<std::uint32_t>& vertices = geometry.triangles.vertex;
         geometry.attributes = read_attributes(accessors_, primitive, vertices);
         morph(accessors_, primitive, weights, vertices, geometry.attributes, name, warnings_);
         repair(geometry.attributes, name, warnings_);
         if (geometry.attributes.normal.empty()) geometry.attributes.tangent.clear();  // as section 3.7.2.1 says
+
+        geometry.colors = read_vertex_colors(accessors_, model_, primitive, scene_.material[geometry.material],
+                                             vertices, name, warnings_);
 
         const MeshInstances instances(model_, placed, accessors_, warnings_);
         if (append_skinned(primitive, placed, geometry)) {
@@ -276,7 +298,8 @@ class MeshAppender {
                               0,
                               geometry.material,
                               {!attributes.texcoord[0].empty(), !attributes.texcoord[1].empty()}};
-        left_out_ += append_triangles(geometry.triangles.triangle, attributes, geometry.tangents, scene_);
+        left_out_ += append_triangles(geometry.triangles.triangle, attributes, geometry.tangents,
+                                      geometry.colors, scene_);
         instance.triangle_count =
             static_cast<std::uint32_t>(scene_.triangle.size()) - instance.first_triangle;
         if (instance.triangle_count == 0) return;

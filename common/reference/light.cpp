@@ -2,23 +2,30 @@
 
 #include <numbers>
 
+#include "common/scene/coverage.h"
+
 namespace common::reference {
 namespace {
 
 using Imath::V3d;
 using std::numbers::pi;
 
-/// Mean over a grid, and at least a hundredth of the untextured radiance: the grid may miss what is bright.
+/// Mean over a grid, and at least a hundredth of the radiance without texture and holes: the grid may miss
+/// what is bright.
 double mean_radiance(const Scene& scene, std::uint32_t triangle) {
     const Material& material = scene.material_of(triangle);
-    const double untextured = mean_channel(material.emitted_radiance);
-    if (material.emissive_texture.texture == no_texture) return untextured;
+    const CoverageRange coverage = coverage_range(scene, triangle);
+    const double everywhere = mean_channel(material.emitted_radiance) * static_cast<double>(coverage.most);
+    if (material.emissive_texture.texture == no_texture && coverage.least == coverage.most) return everywhere;
     constexpr int across = 12;
     double sum = 0;
-    for (int i = 0; i < across * across; ++i)
-        sum += mean_channel(emitted_radiance_at(
-            scene, place_on(triangle, {(i % across + 0.5) / across, (i / across + 0.5) / across})));
-    return std::max(sum / (across * across), 0.01 * untextured);
+    for (int i = 0; i < across * across; ++i) {
+        const SurfaceId place =
+            place_on(triangle, {(i % across + 0.5) / across, (i / across + 0.5) / across});
+        sum +=
+            mean_channel(emitted_radiance_at(scene, place)) * static_cast<double>(coverage_at(scene, place));
+    }
+    return std::max(sum / (across * across), 0.01 * everywhere);
 }
 
 double power(const AreaLight& light, double) {

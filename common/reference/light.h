@@ -13,7 +13,7 @@ struct AreaLight {
     std::uint32_t triangle;
     bool both_faces;
     double area;
-    double mean_radiance;  ///< over triangle and channels, never 0: only chooses the light
+    double mean_radiance;  ///< over triangle, holes and channels, never 0: only chooses the light
     std::array<Imath::V3d, 3> corner;
     Imath::V3d normal;  ///< unit, out of the front face
     Imath::V3d center;

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "common/scene/coverage.h"
+
 namespace common::reference {
 namespace {
 
@@ -24,8 +26,8 @@ MaybeSample sample(const RayScene& rays, const AreaLight& light, const Receiver&
     const double cosine = incident_cosine(receiver, V3d(towards).normalized());
     const double density = density_of(light, towards);
     if (cosine <= 0 || !(density > 0)) return std::nullopt;
-    return LightSample{towards, 1, emitted_radiance_at(scene, place) * static_cast<float>(cosine / density),
-                       density};
+    const Rgb radiance = emitted_radiance_at(scene, place) * coverage_at(scene, place);
+    return LightSample{towards, 1, radiance * static_cast<float>(cosine / density), density};
 }
 
 MaybeSample punctual_sample(const Vec3& position, const Receiver& receiver, const PunctualView& view,

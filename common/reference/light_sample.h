@@ -13,7 +13,8 @@ namespace common::reference {
 struct LightSample {
     Vec3 towards;    ///< from the receiver's origin to the place; for directional lights unit
     float reach;     ///< where the light is, in lengths of `towards`: 1, or infinity
-    Rgb irradiance;  ///< W/m^2 if nothing is between, divided by the density of the place on the light
+    Rgb irradiance;  ///< W/m^2 if nothing is between, divided by the density of the place on the light: that
+                     ///< of what is there, on average over chance
     double density;  ///< of `towards` per solid angle; 0 for lights without area, which no ray meets
 };
 

@@ -3,13 +3,17 @@
 #include <algorithm>
 
 #include "common/reference/expected_light.h"
+#include "common/reference/straight_line.h"
+#include "common/scene/coverage.h"
 
 namespace common::reference {
 
 Lights::Lights(const Scene& scene)
-    : of_triangle_(scene.triangle.size(), -1), specular_(specular_bounds(scene)) {
+    : of_triangle_(scene.triangle.size(), -1),
+      specular_(specular_bounds(scene)),
+      see_through_(has_see_through(scene)) {
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) {
-        if (!scene.material_of(t).emits()) continue;
+        if (!scene.material_of(t).emits() || coverage_range(scene, t).is_nowhere()) continue;
         of_triangle_[t] = static_cast<std::int32_t>(light_.size());
         light_.emplace_back(area_light(scene, t));
     }

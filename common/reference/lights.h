@@ -23,6 +23,9 @@ class Lights {
     /// Where to look for lights by way of mirrors and glass.
     [[nodiscard]] std::span<const SpecularBounds> specular() const { return specular_; }
 
+    /// Whether what lies between a light and a point may let some of it through.
+    [[nodiscard]] bool see_through() const { return see_through_; }
+
     /// Sum of powers up to and with each light, W.
     [[nodiscard]] std::span<const double> cumulative_power() const { return cumulative_power_; }
 
@@ -31,6 +34,7 @@ class Lights {
     std::vector<std::int32_t> of_triangle_;
     std::vector<double> cumulative_power_;
     std::vector<SpecularBounds> specular_;
+    bool see_through_;
 };
 
 /// More lights than this are chosen by their power alone.

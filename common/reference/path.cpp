@@ -5,6 +5,8 @@
 #include "common/reference/direction_choice.h"
 #include "common/reference/light_sample.h"
 #include "common/reference/specular.h"
+#include "common/reference/straight_line.h"
+#include "common/scene/coverage.h"
 
 namespace common::reference {
 namespace {
@@ -63,7 +65,9 @@ class Path {
         const std::int32_t chosen = choice.choose(numbers.which_light);
         if (chosen < 0) return;
         const auto sample = sample_light(rays_, lights_.light()[chosen], receiver, numbers.on_light);
-        if (!sample || rays_.occluded(receiver.origin, sample->towards, sample->reach)) return;
+        if (!sample) return;
+        const V3d arriving = part_arriving(receiver, *sample);
+        if (!(largest(arriving) > 0)) return;
         const double probability = choice.probability(chosen);
         double weight = 1;
         if (sample->density > 0) {
@@ -71,20 +75,35 @@ class Path {
             const double by_direction = directions.density(sample->towards.normalized());
             weight = by_light / (by_light + by_direction);
         }
-        add(doubles(sample->irradiance) * (weight / probability));
+        add(doubles(sample->irradiance) * arriving * (weight / probability));
     }
 
-    /// Goes along `chosen`, through mirrors and glass, collecting what is emitted, to the next diffuse
-    /// surface.
+    /// Of the sample's light, past all that lies between.
+    V3d part_arriving(const Receiver& receiver, const LightSample& sample) const {
+        if (lights_.see_through())
+            return part_that_arrives(rays_, receiver.origin, sample.towards, sample.reach);
+        return rays_.occluded(receiver.origin, sample.towards, sample.reach) ? V3d(0, 0, 0) : V3d(1, 1, 1);
+    }
+
+    /// Goes along `chosen`, by way of holes, mirrors and glass, collecting what is emitted, to the next
+    /// diffuse surface.
     std::optional<Receiver> follow(const ChosenDirection& chosen, const LightChoice& choice) {
         Vec3 origin = chosen.origin, towards = chosen.towards;
-        for (bool straight = true;; straight = false) {
+        bool straight = true;  // as next event estimation goes
+        while (true) {
             const std::optional<SurfaceId> surface = rays_.nearest(origin, towards);
             if (!surface) {
                 if (scene_.sky) add(doubles(scene_.sky->radiance) * pi);
                 return std::nullopt;
             }
             const Vec3 position = position_at(scene_, *surface);
+            const Vec3& front = scene_.geometric_normal[surface->triangle];
+            const Vec3 normal = towards.dot(front) < 0 ? front : -front;
+            if (is_hole(*surface)) {
+                if (++surfaces_ > max_surfaces) return std::nullopt;
+                origin = rays_.off_surface(position, -normal);
+                continue;
+            }
             const double weight =
                 straight ? weight_of_meeting(surface->triangle, position, chosen, choice) : 1;
             add(emitted(*surface, towards) * (pi * weight));
@@ -93,8 +112,6 @@ class Path {
             throughput_ *= doubles(base_color_at(scene_, *surface));
             if (scene_.material_of(surface->triangle).kind == SurfaceKind::diffuse) {
                 if (!survives()) return std::nullopt;
-                const Vec3& front = scene_.geometric_normal[surface->triangle];
-                const Vec3 normal = towards.dot(front) < 0 ? front : -front;
                 return Receiver{rays_.off_surface(position, normal), normal, normal};
             }
             const auto arrival = specular_arrival(scene_, *surface, -towards, stream_.next());
@@ -104,7 +121,14 @@ class Path {
             if (!survives()) return std::nullopt;
             origin = rays_.off_surface(position, arrival->geometric_normal);
             towards = arrival->towards;
+            straight = straight && arrival->straight;
         }
+    }
+
+    /// Of what is there in part only, chance decides.
+    bool is_hole(const SurfaceId& surface) {
+        const auto coverage = static_cast<double>(coverage_at(scene_, surface));
+        return coverage < 1 && stream_.next() >= coverage;
     }
 
     /// Share of what `chosen` meets that is not left to next event estimation, which finds it as well.

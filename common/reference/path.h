@@ -12,11 +12,13 @@ namespace common::reference {
 inline constexpr int max_surfaces = 4096;
 
 /// An unbiased estimate of the irradiance at `point` for its shading normal, from all directions above the
-/// surface, W/m^2: light by any number of diffuse reflections, mirrors and glass in between.
+/// surface, W/m^2: light by any number of diffuse reflections, mirrors, glass and holes in between.
 ///
-/// Next event estimation at every diffuse surface and cosine-weighted directions, which meet area lights too;
+/// Next event estimation at every diffuse surface, straight through holes and thin sheets, and
+/// cosine-weighted directions, which meet area lights too;
 /// the balance heuristic weighs the two (Veach and Guibas, "Optimally Combining Sampling Techniques for Monte
-/// Carlo Rendering", 1995). Not found: point, spot and directional lights by way of mirrors and glass.
+/// Carlo Rendering", 1995). Not found: point, spot and directional lights by way of mirrors and glass, but
+/// for what comes straight through thin sheets.
 /// `first` decides at the point itself, `stream` everywhere else.
 [[nodiscard]] Imath::V3d sample_irradiance(const RayScene& rays, const Lights& lights,
                                            const SurfacePoint& point, const FirstNumbers& first,

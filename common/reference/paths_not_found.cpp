@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace common::reference {
 
 std::string paths_not_found(const Scene& scene) {
-    const bool specular = std::ranges::any_of(scene.instance, [&](const MeshInstance& instance) {
-        return scene.material[instance.material].kind != SurfaceKind::diffuse;
-    });
+    bool specular = false, bent = false;
+    for (const MeshInstance& instance : scene.instance) {
+        const SurfaceKind kind = scene.material[instance.material].kind;
+        specular |= kind != SurfaceKind::diffuse;
+        bent |= kind == SurfaceKind::mirror || kind == SurfaceKind::dielectric;
+    }
     if (!specular) return "";
     std::string kinds;
     const auto add = [&](std::size_t count, const char* kind) {
@@ -18,7 +19,9 @@ std::string paths_not_found(const Scene& scene) {
     add(scene.point_light.size(), "point");
     add(scene.spot_light.size(), "spot");
     add(scene.directional_light.size(), "directional");
-    return kinds.empty() ? "" : fmt::format("light of {} lights by way of mirrors or glass", kinds);
+    return kinds.empty() ? ""
+                         : fmt::format("light of {} lights by way of {}", kinds,
+                                       bent ? "mirrors or glass" : "reflections in thin glass");
 }
 
 std::string paths_not_found(const ImageNotes& notes) {

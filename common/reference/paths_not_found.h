@@ -9,7 +9,7 @@
 namespace common::reference {
 
 /// Light that no path finds, in words: a light without size cannot be met by chance, and no straight line
-/// leads to it through a mirror or glass. Empty where every path is found.
+/// leads to it by a mirror or glass, but for one through a thin sheet. Empty where every path is found.
 [[nodiscard]] std::string paths_not_found(const Scene& scene);
 
 /// The note of a reference's file that says so: the words, or "none".

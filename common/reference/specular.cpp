@@ -12,8 +12,8 @@ struct Boundary {
     V3d leaving;
     V3d normal;  ///< geometric, on the leaving side
     V3d smooth;  ///< vertex normal, on the leaving side
-    bool glass;
-    double index_ratio;  ///< index of the other side over that of the leaving side
+    SurfaceKind kind;
+    double index_ratio;  ///< index of the other side over that of the leaving side; of a sheet, its index
 };
 
 struct Candidate {
@@ -37,14 +37,15 @@ std::optional<V3d> bent(const V3d& v, const V3d& axis, double index_ratio) {
 
 /// What light from `towards` on the side of `normal` keeps on that side; it turns about `axis`.
 double kept(const Boundary& b, const V3d& towards, const V3d& normal, const V3d& axis, double index_ratio) {
-    if (!b.glass) return 1;
+    if (b.kind == SurfaceKind::thin_sheet) return reflected_by_sheet(towards.dot(axis), b.index_ratio);
+    if (b.kind != SurfaceKind::dielectric) return 1;
     const std::optional<V3d> through = bent(towards, axis, index_ratio);
     if (!through || through->dot(normal) >= 0) return 1;
     return reflected_fraction(towards.dot(axis), index_ratio);
 }
 
-// Four ways for light to leave along one direction: reflected or transmitted, about the smooth normal or
-// about the geometric one where the smooth one would send it astray.
+// The ways for light to leave along one direction: reflected or transmitted, about the smooth normal or
+// about the geometric one where the smooth one would send it astray, or straight through a thin sheet.
 
 Candidate reflected_about_smooth(const Boundary& b) {
     const V3d towards = mirrored(b.leaving, b.smooth);
@@ -80,13 +81,20 @@ Candidate transmitted_about_normal(const Boundary& b) {
     return candidate.towards.dot(b.smooth) < 0 ? Candidate{} : candidate;
 }
 
+/// Through a thin sheet. What it reflects goes by the smooth normal, unless that faces away.
+Candidate unbent(const Boundary& b) {
+    const V3d& axis = b.leaving.dot(b.smooth) > 0 ? b.smooth : b.normal;
+    return {-b.leaving, true, 1 - reflected_by_sheet(b.leaving.dot(axis), b.index_ratio)};
+}
+
 Boundary boundary_at(const Scene& scene, const SurfaceId& surface, const Vec3& leaving) {
     const Material& material = scene.material_of(surface.triangle);
     const V3d front(scene.geometric_normal[surface.triangle]);
     const double side = front.dot(V3d(leaving)) > 0 ? 1 : -1;
     const double index = static_cast<double>(material.index_of_refraction);
-    return {V3d(leaving), front * side, V3d(smooth_normal_at(scene, surface)) * side,
-            material.kind == SurfaceKind::dielectric, side > 0 ? index : 1 / index};
+    const bool from_outside = material.kind == SurfaceKind::thin_sheet || side > 0;
+    return {V3d(leaving), front * side, V3d(smooth_normal_at(scene, surface)) * side, material.kind,
+            from_outside ? index : 1 / index};
 }
 
 }  // namespace
@@ -100,24 +108,38 @@ double reflected_fraction(double cosine, double index_ratio) {
     return 0.5 * a * a * (1 + b * b);
 }
 
+double reflected_by_sheet(double cosine, double index) {
+    // (1 - R)^2 (1 + R^2 + R^4 + ...) gets across: both boundaries, and both once more for each way back.
+    const double once = reflected_fraction(cosine, index);
+    return 1 - (1 - once) / (1 + once);
+}
+
+double passed_straight(const Scene& scene, const SurfaceId& surface, const Vec3& leaving) {
+    const Boundary b = boundary_at(scene, surface, leaving);
+    if (b.kind != SurfaceKind::thin_sheet || b.leaving.dot(b.normal) <= 0) return 0;
+    return unbent(b).flux;
+}
+
 std::optional<SpecularArrival> specular_arrival(const Scene& scene, const SurfaceId& surface,
                                                 const Vec3& leaving, double uniform) {
     const Boundary b = boundary_at(scene, surface, leaving);
     if (b.leaving.dot(b.normal) <= 0) return std::nullopt;
     std::array<Candidate, 4> candidates = {reflected_about_smooth(b), reflected_about_normal(b), {}, {}};
-    if (b.glass) {
+    if (b.kind == SurfaceKind::dielectric) {
         candidates[2] = transmitted_about_smooth(b);
         candidates[3] = transmitted_about_normal(b);
     }
+    const bool sheet = b.kind == SurfaceKind::thin_sheet;
+    if (sheet) candidates[2] = unbent(b);
     double total = 0;
     for (const Candidate& candidate : candidates) total += candidate.flux;
     double left = uniform * total;
     for (const Candidate& candidate : candidates) {
         left -= candidate.flux;
         if (candidate.flux <= 0 || left > 0) continue;
-        const double indices = candidate.across ? 1 / (b.index_ratio * b.index_ratio) : 1;
+        const double indices = candidate.across && !sheet ? 1 / (b.index_ratio * b.index_ratio) : 1;
         return SpecularArrival{Vec3(candidate.towards), Vec3(candidate.across ? -b.normal : b.normal),
-                               total * indices, indices};
+                               total * indices, indices, candidate.across && sheet};
     }
     return std::nullopt;
 }

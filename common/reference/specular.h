@@ -14,12 +14,21 @@ struct SpecularArrival {
     double factor;  ///< radiance that leaves, without the tint, over radiance that arrives, over the chance
                     ///< of this arrival
     double index_ratio_sq;  ///< (index where it leaves / index where it arrives)^2, which is part of `factor`
+    bool straight = false;  ///< through a thin sheet, as if it were not there
 };
 
 /// What fraction of unpolarised light a smooth boundary reflects, for the cosine of incidence and the index
 /// of the far side over that of the near one (Cook and Torrance, "A Reflectance Model for Computer Graphics",
 /// 1982).
 [[nodiscard]] double reflected_fraction(double cosine, double index_ratio);
+
+/// The same of a sheet without thickness, made of what has this index: its two boundaries and all reflections
+/// between them.
+[[nodiscard]] double reflected_by_sheet(double cosine, double index);
+
+/// What fraction of light leaves a thin sheet along `leaving` (unit, away from the surface) as it has come,
+/// without the tint; 0 for all other surfaces.
+[[nodiscard]] double passed_straight(const Scene& scene, const SurfaceId& surface, const Vec3& leaving);
 
 /// One of the arrivals that a specular surface sends along `leaving` (unit, away from the surface), chosen by
 /// `uniform` in (0, 1); nothing where there is none.

@@ -56,7 +56,7 @@ Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, int texcoord_set)
 }
 
 Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, const TextureUse& use) {
-    // The corners are taken there first, as the tracer does: both must round alike.
+    // Moved, then interpolated, as the tracer does it (SurfaceTexture): see interpolate().
     const auto [a, b, c] = scene.triangle[surface.triangle];
     const auto& uv = scene.texcoord[use.texcoord_set];
     return interpolate(use.transform(uv[a]), use.transform(uv[b]), use.transform(uv[c]), surface.u,

@@ -10,9 +10,9 @@
 
 namespace common {
 
-/// Arrivals of photons on diffuse surfaces, structure of arrays, in an order that depends on the block's
-/// photons alone. Each arrival is recorded before its own reflection: `flux` is what the photon carries
-/// towards the surface.
+/// Arrivals of photons on diffuse surfaces and in their holes, structure of arrays, in an order that depends
+/// on the block's photons alone. Each arrival is recorded before its own reflection: `flux` is what the
+/// photon carries towards the surface.
 struct HitBatch {
     std::vector<Vec3> position;   ///< world units, on the surface
     std::vector<Vec3> direction;  ///< unit, the way the photon travels: towards the surface

@@ -5,7 +5,7 @@
 #include "common/core/input_error.h"
 #include "common/core/random.h"
 #include "common/core/sampling.h"
-#include "common/scene/surface_point.h"
+#include "common/scene/coverage.h"
 
 namespace common {
 namespace {
@@ -39,11 +39,16 @@ Rgb power_of(const SkyEmitter& e) {
 
 // --- emission: a photon that carries the emitter's whole power
 
+/// W/(m^2 sr) on average over chance: a hole emits nothing.
+Rgb radiance_at(const Scene& scene, const SurfaceId& surface) {
+    return emitted_radiance_at(scene, surface) * coverage_at(scene, surface);
+}
+
 EmittedPhoton emit_from(const Scene& scene, const AreaEmitter& e, const EmissionNumbers& numbers) {
     const Vec2 uv = sample_triangle(numbers.at[1], numbers.at[2]);
     const bool from_back = e.both_faces && numbers.towards[2] < 0.5f;
     const float side = from_back ? -1.0f : 1.0f;
-    const Rgb radiance = e.textured ? emitted_radiance_at(scene, {e.triangle, uv.x, uv.y}) : e.mean_radiance;
+    const Rgb radiance = e.varies ? radiance_at(scene, {e.triangle, uv.x, uv.y}) : e.mean_radiance;
     const float emitting_area = e.area * (e.both_faces ? 2.0f : 1.0f);
     return {e.corner + e.edge_u * uv.x + e.edge_v * uv.y, e.frame.to_world(numbers.lobe) * side,
             e.frame.normal * side, radiance * (pi * emitting_area)};
@@ -78,21 +83,28 @@ EmittedPhoton emit_from(const Scene&, const SkyEmitter& e, const EmissionNumbers
 
 // --- area lights
 
+bool emission_varies(const Scene& scene, std::uint32_t triangle) {
+    const CoverageRange coverage = coverage_range(scene, triangle);
+    return scene.material_of(triangle).emissive_texture.texture != no_texture ||
+           coverage.least != coverage.most;
+}
+
 /// Mean over a fixed grid of points. An emissive texture that is dark at all of them still gets a share of
-/// the photons.
+/// the photons, and so does a lamp with a hole at all of them.
 Rgb mean_emitted_radiance(const Scene& scene, std::uint32_t triangle) {
     const Material& material = scene.material_of(triangle);
-    if (material.emissive_texture.texture == no_texture) return material.emitted_radiance;
+    const float most = coverage_range(scene, triangle).most;
+    if (!emission_varies(scene, triangle)) return material.emitted_radiance * most;
     constexpr int steps = 16;
     Rgb sum(0, 0, 0);
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
             const Vec2 uv = sample_triangle((static_cast<float>(i) + 0.5f) / steps,
                                             (static_cast<float>(j) + 0.5f) / steps);
-            sum += emitted_radiance_at(scene, {triangle, uv.x, uv.y});
+            sum += radiance_at(scene, {triangle, uv.x, uv.y});
         }
     constexpr float least_share = 0.01f;
-    return sum * ((1 - least_share) / (steps * steps)) + material.emitted_radiance * least_share;
+    return sum * ((1 - least_share) / (steps * steps)) + material.emitted_radiance * (most * least_share);
 }
 
 EmissionNumbers emission_numbers(std::uint64_t seed, std::uint64_t index) {
@@ -107,7 +119,7 @@ AreaEmitter area_emitter(const Scene& scene, std::uint32_t triangle) {
     const Vec3& corner = scene.position[a];
     return {triangle,
             material.double_sided,
-            material.emissive_texture.texture != no_texture,
+            emission_varies(scene, triangle),
             triangle_area(scene, triangle),
             mean_emitted_radiance(scene, triangle),
             corner,

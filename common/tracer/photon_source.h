@@ -23,9 +23,10 @@ struct EmittedPhoton {
 struct AreaEmitter {
     std::uint32_t triangle;
     bool both_faces;
-    bool textured;
+    bool varies;  ///< from place to place: texture, or holes
     float area;
-    Rgb mean_radiance;  ///< over the triangle; chooses the emitter, and is what it emits if not textured
+    Rgb mean_radiance;  ///< over the triangle, holes included; chooses the emitter, and is what it emits if
+                        ///< that does not vary
     Vec3 corner, edge_u, edge_v;
     Frame frame;  ///< around the front normal
 };

@@ -1,21 +1,40 @@
 #include "common/tracer/photon_surfaces.h"
 
+#include "common/scene/coverage.h"
+
 namespace common {
 namespace {
 
-PhotonSurface::Kind kind_of(const Material& material) {
-    if (material.kind != SurfaceKind::diffuse) return PhotonSurface::specular;
-    return material.base_color_texture.texture == no_texture ? PhotonSurface::diffuse
-                                                             : PhotonSurface::textured_diffuse;
+bool is_colored(const Scene& scene, std::uint32_t triangle) {
+    if (scene.color.empty()) return false;
+    const Rgb white(1, 1, 1);
+    return std::ranges::any_of(scene.triangle[triangle],
+                               [&](std::uint32_t vertex) { return scene.color[vertex] != white; });
+}
+
+PhotonSurface::Kind kind_of(const Scene& scene, std::uint32_t triangle) {
+    const Material& material = scene.material_of(triangle);
+    const CoverageRange coverage = coverage_range(scene, triangle);
+    if (material.kind != SurfaceKind::diffuse || coverage.is_nowhere()) return PhotonSurface::specular;
+    if (coverage.has_holes()) return PhotonSurface::perforated_diffuse;
+    const bool textured = material.base_color_texture.texture != no_texture;
+    if (is_colored(scene, triangle))
+        return textured ? PhotonSurface::textured_colored_diffuse : PhotonSurface::colored_diffuse;
+    return textured ? PhotonSurface::textured_diffuse : PhotonSurface::diffuse;
 }
 
 SurfaceTexture texture_of(const Scene& scene, std::uint32_t triangle) {
     const TextureUse& use = scene.material_of(triangle).base_color_texture;
     const auto [a, b, c] = scene.triangle[triangle];
-    const auto& uv = scene.texcoord[use.texcoord_set];
-    const Vec2 corner = use.transform(uv[a]);
-    return {corner, use.transform(uv[b]) - corner, use.transform(uv[c]) - corner,
-            &scene.texture[use.texture]};
+    const auto at = [&](std::uint32_t vertex) {
+        return use.transform(scene.texcoord[use.texcoord_set][vertex]);
+    };
+    return {at(a), at(b) - at(a), at(c) - at(a), &scene.texture[use.texture]};
+}
+
+SurfaceColors colors_of(const Scene& scene, std::uint32_t triangle) {
+    const auto [a, b, c] = scene.triangle[triangle];
+    return {scene.color[a], scene.color[b] - scene.color[a], scene.color[c] - scene.color[a]};
 }
 
 }  // namespace
@@ -30,10 +49,15 @@ PhotonSurfaces::PhotonSurfaces(const Scene& scene) : surfaces_(scene.triangle.si
                         scene.position[c] - corner,
                         scene.geometric_normal[t],
                         material.base_color,
-                        kind_of(material)};
-        if (surfaces_[t].kind != PhotonSurface::textured_diffuse) continue;
-        if (textures_.empty()) textures_.resize(surfaces_.size());
-        textures_[t] = texture_of(scene, t);
+                        kind_of(scene, t)};
+        if (surfaces_[t].is_textured()) {
+            if (textures_.empty()) textures_.resize(surfaces_.size());
+            textures_[t] = texture_of(scene, t);
+        }
+        if (surfaces_[t].is_colored()) {
+            if (colors_.empty()) colors_.resize(surfaces_.size());
+            colors_[t] = colors_of(scene, t);
+        }
     }
 }
 

@@ -12,9 +12,12 @@ namespace common {
 /// a reflection.
 struct alignas(64) PhotonSurface {
     enum Kind : std::uint32_t {
-        diffuse,           ///< Lambertian, one colour
-        textured_diffuse,  ///< Lambertian, colour from a texture
-        specular           ///< mirror or glass: stores nothing
+        diffuse,                   ///< Lambertian, one colour
+        textured_diffuse,          ///< Lambertian, colour from a texture
+        colored_diffuse,           ///< Lambertian, colour from the vertices
+        textured_colored_diffuse,  ///< Lambertian, the product of both
+        perforated_diffuse,        ///< Lambertian with holes
+        specular                   ///< mirror, glass, or nowhere there: stores nothing
     };
 
     Vec3 corner, edge_u, edge_v;  ///< world units: position = corner + u edge_u + v edge_v
@@ -23,6 +26,19 @@ struct alignas(64) PhotonSurface {
     Kind kind;
 
     [[nodiscard]] Vec3 position(float u, float v) const { return corner + edge_u * u + edge_v * v; }
+
+    /// Whether photons that arrive on it are hits. Those that go on through a hole are too: the light that
+    /// arrives at a place does not depend on how much of the surface is there.
+    [[nodiscard]] bool stores() const { return kind != specular; }
+    [[nodiscard]] bool is_textured() const {
+        return kind == textured_diffuse || kind == textured_colored_diffuse;
+    }
+    [[nodiscard]] bool is_colored() const {
+        return kind == colored_diffuse || kind == textured_colored_diffuse;
+    }
+    /// Whether `base_color`, with texture and vertex colours, is all there is to know: if not, scatter() says
+    /// what becomes of a photon.
+    [[nodiscard]] bool is_simple() const { return kind < perforated_diffuse; }
 };
 
 /// How a textured triangle's base color is found.
@@ -31,6 +47,13 @@ struct alignas(32) SurfaceTexture {
     const Texture* texture = nullptr;  ///< times PhotonSurface::base_color
 
     [[nodiscard]] Vec2 texcoord(float u, float v) const { return corner + edge_u * u + edge_v * v; }
+};
+
+/// Vertex colours of a triangle, as in PhotonSurface: times its base color, and times that of its texture.
+struct alignas(64) SurfaceColors {
+    Rgb corner, edge_u, edge_v;
+
+    [[nodiscard]] Rgb color(float u, float v) const { return corner + edge_u * u + edge_v * v; }
 };
 
 class PhotonSurfaces {
@@ -42,12 +65,16 @@ class PhotonSurfaces {
         return surfaces_[triangle];
     }
 
-    /// Of a textured_diffuse triangle.
+    /// Of a triangle that is_textured().
     [[nodiscard]] const SurfaceTexture& texture(std::uint32_t triangle) const { return textures_[triangle]; }
+
+    /// Of a triangle that is_colored().
+    [[nodiscard]] const SurfaceColors& colors(std::uint32_t triangle) const { return colors_[triangle]; }
 
   private:
     HugePageVector<PhotonSurface> surfaces_;   ///< one per triangle
     HugePageVector<SurfaceTexture> textures_;  ///< one per triangle; none where nothing is textured
+    HugePageVector<SurfaceColors> colors_;     ///< one per triangle; none where nothing is colored
 };
 
 }  // namespace common

@@ -74,9 +74,9 @@ RayScene::RayScene(const Scene& scene)
     check(device_.get());
 }
 
-std::optional<SurfaceId> RayScene::nearest(const Vec3& origin, const Vec3& direction) const {
+std::optional<SurfaceId> RayScene::nearest(const Vec3& origin, const Vec3& direction, float reach) const {
     RTCRayHit ray_hit;
-    ray_hit.ray = ray_along(origin, direction, std::numeric_limits<float>::infinity());
+    ray_hit.ray = ray_along(origin, direction, reach);
     ray_hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     ray_hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     intersect_incoherent(embree_.get(), ray_hit);

@@ -1,6 +1,7 @@
 // The scene's triangles in Embree: nearest surface along a ray, and whether two points see each other.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -42,8 +43,11 @@ class RayScene {
     /// Builds Embree's acceleration structure. `scene` must outlive this object.
     explicit RayScene(const Scene& scene);
 
-    /// Nearest surface from `origin` along `direction` (unit), if there is one.
-    [[nodiscard]] std::optional<SurfaceId> nearest(const Vec3& origin, const Vec3& direction) const;
+    /// Nearest surface from `origin` along `direction`, if there is one no farther than `direction * reach`.
+    /// `direction` may have any length but 0.
+    [[nodiscard]] std::optional<SurfaceId> nearest(
+        const Vec3& origin, const Vec3& direction,
+        float reach = std::numeric_limits<float>::infinity()) const;
 
     /// The same for many rays, in packets of neighbours: fastest where these travel alike. To the last bit
     /// what they would hit one by one, unless surfaces coincide exactly.

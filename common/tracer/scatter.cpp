@@ -1,5 +1,7 @@
 #include "common/tracer/scatter.h"
 
+#include "common/scene/coverage.h"
+
 namespace common {
 
 float fresnel_reflectance(float cos_incident, float eta) {
@@ -10,6 +12,12 @@ float fresnel_reflectance(float cos_incident, float eta) {
     const float perpendicular =
         (eta * cos_incident - cos_transmitted) / (eta * cos_incident + cos_transmitted);
     return 0.5f * (parallel * parallel + perpendicular * perpendicular);
+}
+
+float sheet_reflectance(float cos_incident, float index) {
+    // What enters goes to and fro and leaves a part 1 - R each time: R + (1 - R)^2 R (1 + R^2 + R^4 + ...).
+    const float once = fresnel_reflectance(cos_incident, 1 / index);
+    return 2 * once / (1 + once);
 }
 
 std::optional<Vec3> refract(const Vec3& direction, const Vec3& normal, float eta) {
@@ -31,9 +39,12 @@ SpecularDirections specular_directions(const Scene& scene, const SurfaceId& surf
     if (directions.reflected.dot(normal) <= 0) directions.reflected = reflect(direction, normal);
     if (material.kind == SurfaceKind::dielectric) {
         const float eta = front ? 1 / material.index_of_refraction : material.index_of_refraction;
-        directions.refracted = refract(direction, smooth, eta);
-        if (directions.refracted && directions.refracted->dot(normal) >= 0) directions.refracted.reset();
-        if (directions.refracted) directions.reflectance = fresnel_reflectance(-direction.dot(smooth), eta);
+        directions.passed = refract(direction, smooth, eta);
+        if (directions.passed && directions.passed->dot(normal) >= 0) directions.passed.reset();
+        if (directions.passed) directions.reflectance = fresnel_reflectance(-direction.dot(smooth), eta);
+    } else if (material.kind == SurfaceKind::thin_sheet) {
+        directions.passed = direction;
+        directions.reflectance = sheet_reflectance(-direction.dot(smooth), material.index_of_refraction);
     }
     return directions;
 }
@@ -43,14 +54,18 @@ std::optional<ScatteredPhoton> scatter(const Scene& scene, const SurfaceId& surf
     const Vec3& front_normal = scene.geometric_normal[surface.triangle];
     const Vec3 normal = direction.dot(front_normal) < 0 ? front_normal : -front_normal;
 
+    const float coverage = coverage_at(scene, surface);
+    if (u[3] >= coverage) return ScatteredPhoton{direction, -normal, flux};
+
     const Roulette roulette = play_roulette(flux, flux * base_color_at(scene, surface), u[0]);
     if (!roulette.survived) return std::nullopt;
     if (scene.material_of(surface.triangle).kind == SurfaceKind::diffuse)
         return ScatteredPhoton{reflect_diffusely(normal, u[1], u[2]), normal, roulette.flux};
 
     const SpecularDirections specular = specular_directions(scene, surface, direction);
-    if (specular.refracted && u[3] >= specular.reflectance)
-        return ScatteredPhoton{*specular.refracted, -normal, roulette.flux};
+    // What is below the coverage is as uniform there as it was.
+    if (specular.passed && u[3] >= specular.reflectance * coverage)
+        return ScatteredPhoton{*specular.passed, -normal, roulette.flux};
     return ScatteredPhoton{specular.reflected, normal, roulette.flux};
 }
 

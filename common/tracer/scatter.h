@@ -33,11 +33,13 @@ struct ScatteredPhoton {
     Rgb flux;        ///< W times the number emitted, Russian roulette accounted for
 };
 
-/// Reflects, refracts or absorbs (nothing returned) a photon that travels along `direction` with `flux`.
+/// Reflects, lets through or absorbs (nothing returned) a photon that travels along `direction` with `flux`.
 ///
-/// Absorption is Russian roulette. Diffuse surfaces reflect on both faces around the geometric normal: a
-/// normal map bends what is gathered, not the light's way, which keeps the scene's energy. `u` holds uniform
-/// numbers: [0] roulette, [1], [2] direction, [3] reflection or refraction.
+/// Where the surface is there in part only, chance decides whether the photon meets it or goes straight on,
+/// with all of its flux. Absorption is Russian roulette. Diffuse surfaces reflect on both faces around the
+/// geometric normal: a normal map bends what is gathered, not the light's way, which keeps the scene's
+/// energy. `u` holds uniform numbers: [0] roulette, [1], [2] direction, [3] hole or not, then whether a
+/// boundary reflects or lets through.
 [[nodiscard]] std::optional<ScatteredPhoton> scatter(const Scene& scene, const SurfaceId& surface,
                                                      const Vec3& direction, const Rgb& flux,
                                                      const std::array<float, 4>& u);
@@ -46,11 +48,16 @@ struct ScatteredPhoton {
 /// index of the side that the light comes from over that of the other.
 [[nodiscard]] float fresnel_reflectance(float cos_incident, float eta);
 
+/// The same of a sheet without thickness: two boundaries, and all reflections between them. `index` is that
+/// of what it is made of.
+[[nodiscard]] float sheet_reflectance(float cos_incident, float index);
+
 /// Where a perfect mirror or smooth glass sends what travels along `direction` (unit, towards the surface).
 struct SpecularDirections {
-    Vec3 reflected;                 ///< unit, away from the side of arrival
-    std::optional<Vec3> refracted;  ///< unit, into the other side; glass only, and none at total reflection
-    float reflectance = 1;          ///< of glass; 1 where nothing is refracted
+    Vec3 reflected;              ///< unit, away from the side of arrival
+    std::optional<Vec3> passed;  ///< unit, into the other side: refracted, or as it came through a thin
+                                 ///< sheet; none for mirrors and at total reflection
+    float reflectance = 1;  ///< of glass; 1 where nothing passes
 };
 
 /// Specular surfaces follow the smooth vertex normal, so that a faceted sphere focuses like a round one,

@@ -52,9 +52,10 @@ void BlockTracer::trace(std::uint64_t block, TracedBlock& traced) {
         drop_escaped(event, traced);
         find_arrivals();
         look_up_textures();
+        look_up_vertex_colors();
         record_hits(traced.hits);
         reflect_diffuse(first_photon, event);
-        scatter_specular(first_photon, event);
+        scatter_others(first_photon, event);
     }
     for (std::size_t i = 0; i < reflected_.size(); ++i)
         if (survived_[i]) traced.fate[reflected_.number[i]] = PhotonFate::given_up;
@@ -87,7 +88,8 @@ void BlockTracer::find_arrivals() {
     base_color_.resize(count);
     stores_.resize(count);
     textured_.clear();
-    specular_.clear();
+    colored_.clear();
+    others_.clear();
     const PhotonSurfaces& surfaces = rays_->surfaces();
     for (std::size_t i = 0; i < count; ++i) {
         if (i + prefetch_distance < count)
@@ -97,10 +99,11 @@ void BlockTracer::find_arrivals() {
         const bool front = photons_.direction[i].dot(surface.normal) < 0;
         normal_.set(i, front ? surface.normal : -surface.normal);
         base_color_.set(i, surface.base_color);
-        stores_[i] = surface.kind != PhotonSurface::specular;
-        if (surface.kind == PhotonSurface::textured_diffuse)
-            textured_.push_back(static_cast<std::uint32_t>(i));
-        if (surface.kind == PhotonSurface::specular) specular_.push_back(static_cast<std::uint32_t>(i));
+        stores_[i] = surface.stores();
+        if (surface.kind == PhotonSurface::diffuse) continue;
+        if (surface.is_textured()) textured_.push_back(static_cast<std::uint32_t>(i));
+        if (surface.is_colored()) colored_.push_back(static_cast<std::uint32_t>(i));
+        if (!surface.is_simple()) others_.push_back(static_cast<std::uint32_t>(i));
     }
 }
 
@@ -126,6 +129,17 @@ void BlockTracer::look_up_textures() {
     }
 }
 
+void BlockTracer::look_up_vertex_colors() {
+    const PhotonSurfaces& surfaces = rays_->surfaces();
+    for (std::size_t k = 0; k < colored_.size(); ++k) {
+        if (k + prefetch_distance < colored_.size())
+            __builtin_prefetch(&surfaces.colors(met_.triangle[colored_[k + prefetch_distance]]));
+        const std::uint32_t i = colored_[k];
+        const Rgb color = surfaces.colors(met_.triangle[i]).color(met_.u[i], met_.v[i]);
+        base_color_.set(i, Rgb(base_color_[i]) * color);
+    }
+}
+
 void BlockTracer::record_hits(HitBatch& hits) {
     std::size_t next = hits.size();
     hits.resize(next + photons_.size());
@@ -137,8 +151,8 @@ void BlockTracer::record_hits(HitBatch& hits) {
     hits.resize(next);
 }
 
-/// As if all surfaces were diffuse: the few that are not come after. Nothing but vector code: no branch, no
-/// call.
+/// As if all surfaces were diffuse and whole: the few that are not come after. Nothing but vector code: no
+/// branch, no call.
 void BlockTracer::reflect_diffuse(std::uint64_t first_photon, std::uint32_t event) {
     const std::size_t count = photons_.size();
     reflected_.resize(count);
@@ -167,8 +181,8 @@ void BlockTracer::reflect_diffuse(std::uint64_t first_photon, std::uint32_t even
     }
 }
 
-void BlockTracer::scatter_specular(std::uint64_t first_photon, std::uint32_t event) {
-    for (const std::uint32_t i : specular_) {
+void BlockTracer::scatter_others(std::uint64_t first_photon, std::uint32_t event) {
+    for (const std::uint32_t i : others_) {
         const auto u =
             random_uniforms(seed_, first_photon + photons_.number[i], event, RandomPurpose::scattering);
         const auto scattered =

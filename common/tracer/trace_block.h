@@ -48,9 +48,10 @@ class BlockTracer {
     void drop_escaped(std::uint32_t event, TracedBlock& traced);
     void find_arrivals();
     void look_up_textures();
+    void look_up_vertex_colors();
     void record_hits(HitBatch& hits);
     void reflect_diffuse(std::uint64_t first_photon, std::uint32_t event);
-    void scatter_specular(std::uint64_t first_photon, std::uint32_t event);
+    void scatter_others(std::uint64_t first_photon, std::uint32_t event);
 
     const RayScene* rays_;
     const PhotonSource* source_;
@@ -62,9 +63,10 @@ class BlockTracer {
     Vec3Array position_;                   ///< where they meet it
     Vec3Array normal_;                     ///< of the side that they meet, unit
     Vec3Array base_color_;                 ///< of what they meet
-    std::vector<std::uint32_t> stores_;    ///< whether it is diffuse, 0 or 1
+    std::vector<std::uint32_t> stores_;    ///< whether it stores hits, 0 or 1
     std::vector<std::uint32_t> textured_;  ///< those that meet a texture
-    std::vector<std::uint32_t> specular_;  ///< those that meet a mirror or glass
+    std::vector<std::uint32_t> colored_;   ///< those that meet vertex colours
+    std::vector<std::uint32_t> others_;    ///< those that meet a mirror, glass, or what has holes
     PhotonBatch reflected_;                ///< as they leave it again
     std::vector<std::uint32_t> survived_;  ///< whether they do, 0 or 1
 };

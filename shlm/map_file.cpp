@@ -18,6 +18,7 @@
 #include <bit>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <optional>
 
 #include "common/core/input_error.h"
@@ -194,7 +195,7 @@ void MapFileWriter::guarded(Work work) {
 }
 
 MapFileWriter::MapFileWriter(fs::path file, const MapRun& run, const MapFileSize& size)
-    : file_(std::move(file)), temporary_{file_.string() + ".part"}, run_(run), size_(size) {
+    : file_(std::move(file)), temporary_{part_of(file_)}, run_(run), size_(size) {
     checksum_.add(checked_text(run));
     std::vector<Imf::Header> headers;
     for (int part = 0; part <= checksum_part(size); ++part) headers.push_back(header_of(part, size));
@@ -378,10 +379,32 @@ void MapFileReader::check() {
     if (written != checksum_.value()) refuse("it is damaged: its checksum does not fit");
 }
 
+namespace {
+
+/// Whether it begins as an OpenEXR file does, as far as it goes: a run that is killed leaves such a file.
+bool is_begun_exr(const fs::path& file) {
+    constexpr std::string_view magic = "\x76\x2f\x31\x01";
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) return false;
+    std::array<char, magic.size()> start{};
+    std::ifstream in(file, std::ios::binary);
+    in.read(start.data(), start.size());
+    return magic.starts_with(std::string_view(start.data(), static_cast<std::size_t>(in.gcount())));
+}
+
+}  // namespace
+
+fs::path part_of(const fs::path& file) {
+    return file.string() + ".part";
+}
+
 void check_map_output(const std::string& option, const fs::path& file) {
     if (file.extension() != ".exr")
         throw InputError(fmt::format("{}: {} is not an .exr file", option, file.string()));
     common::check_output_file(option, file);
+    if (const fs::path part = part_of(file); fs::exists(part) && !is_begun_exr(part))
+        throw InputError(fmt::format("{}: {} is in the way, and not of an earlier run; remove it first",
+                                     option, part.string()));
 }
 
 }  // namespace shlm

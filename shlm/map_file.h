@@ -106,7 +106,10 @@ class MapFileReader {
     std::unique_ptr<Input> input_;
 };
 
-/// Throws InputError where a file cannot be put there.
+/// FILE.part, where a file is written.
+[[nodiscard]] std::filesystem::path part_of(const std::filesystem::path& file);
+
+/// Throws InputError, naming `option`, where a file cannot be put there. Whether one is there is not asked.
 void check_map_output(const std::string& option, const std::filesystem::path& file);
 
 }  // namespace shlm

@@ -177,17 +177,24 @@ TEST_F(BadOption, Light) {
 
 TEST_F(BadOption, Numbers) {
     const std::vector<std::pair<std::string, Words>> bad = {
-        {"--threads", {"-1", "1025", "many"}},
-        {"--seed", {"-1", "1.5", "text", "1e30"}},
-        {"--texels", {"-1", "0", "nan", "1e30", "faces", "face,", "uv,0", "64,face"}},
-        {"--max-radius", {"-1", "nan", "inf"}},
+        {"--threads", {"-1", "1025", "many", "", "0x2", "+1", "1 ", "4294967297"}},
+        {"--seed", {"-1", "1.5", "text", "1e30", "", "18446744073709551616", "0x10", "1_000", "1'000", " 1"}},
+        {"--texels", {"-1", "0", "nan", "1e30", "faces", "face,", "uv,0", "64,face", ""}},
+        {"--max-radius", {"-1", "nan", "inf", "", "0x1p-3", "0,5", "1e400", "1 m"}},
+        {"--width", {"0", "-5", "16385", "1e2", "0x40", "64.0", "4294967312", ""}},
+        {"--height", {"0", "-5", "16385", "1e2", "0x40", "64.0", "4294967312", ""}},
+        {"--camera", {""}},
+        {"--sky", {""}},
+        {"--sun", {""}},
     };
     for (const auto& [option, values] : bad)
         for (const std::string& value : values)
             expect_refusal(render(cornell, "shlm", {option + "=" + value}), {option});
     const Words compare = {"compare", cornell, "--hits", "1000", "--out", folder.path()};
-    for (const char* option : {"--repetitions=0", "--repetitions=-1", "--seconds-per-size=-1",
-                               "--max-memory=little", "--max-memory=-1GiB", "--max-memory=nanGiB"}) {
+    for (const char* option :
+         {"--repetitions=0", "--repetitions=-1", "--repetitions=0x2", "--repetitions=18446744073709551617",
+          "--seconds-per-size=-1", "--seconds-per-size=nan", "--seconds-per-size=0x1", "--max-memory=little",
+          "--max-memory=-1GiB", "--max-memory=nanGiB", "--max-memory=0.5", "--max-memory="}) {
         Words words = compare;
         words.emplace_back(option);
         expect_refusal(words, {std::string(option).substr(0, std::string(option).find('='))});
@@ -195,6 +202,49 @@ TEST_F(BadOption, Numbers) {
     expect_refusal(
         {"render", cornell, "--method", "shlm", "--hits", "1000", "--out", path("image.exr"), "--width", "0"},
         {"--width"});
+}
+
+TEST_F(BadOption, EmptyPlacesInLists) {
+    const auto refuse = [&](Words words, const std::string& option, const Words& lists) {
+        for (const std::string& list : lists) {
+            Words all = words;
+            all.insert(all.end(), {option, list, "--out", path("out")});
+            expect_refusal(all, {option});
+        }
+    };
+    const Words numbers = {"1e4,,1e5", "1e4,", ",1e4", ",", "", "1e4, ,1e5", "1e4;1e5"};
+    refuse({"compare", cornell}, "--hits", numbers);
+    refuse({"compare", cornell}, "--methods", {"shlm,,photonmap", "shlm,", ",", ""});
+    refuse({"study", cornell}, "--hits", numbers);
+    refuse({"study", cornell}, "--methods", {"shlm,,photonmap", "shlm,", ",", ""});
+    refuse({"fit", cornell}, "--target", {"10%,,5%", "10%,", ",", ""});
+    refuse({"fit", cornell, "--target", "5%"}, "--least", {"time,,bytes", "time,", ",", ""});
+}
+
+TEST_F(BadOption, NumbersOfOtherCommands) {
+    for (const char* option :
+         {"--environments=0x10", "--environments=1e2", "--environments=", "--seed=18446744073709551616"})
+        expect_refusal({"bases", "--out", path("out"), option}, {std::string(option).substr(0, 6)});
+    for (const char* option : {"--repeat=0x3", "--repeat=4294967299", "--repeat=", "--seed=0x1", "--hits="})
+        expect_refusal({"limit", cornell, option}, {std::string(option).substr(0, 6)});
+    for (const char* option : {"--seeds=0x2", "--seeds=18446744073709551617", "--seeds=", "--threads=0x1"})
+        expect_refusal({"study", cornell, "--out", path("out"), option}, {std::string(option).substr(0, 7)});
+    for (const char* option :
+         {"--seeds=0x2", "--time=", "--budget-bytes=", "--max-memory=0.5", "--verify=", "--out="})
+        expect_refusal({"fit", cornell, "--target", "5%", option}, {std::string(option).substr(0, 5)});
+    for (const char* option : {"--threads=0x1", "--threads=", "--threads=1025"})
+        expect_refusal({"stability", "dim-light", "--short", "--out", path("out"), option}, {"--threads"});
+    for (const char* option :
+         {"--first-photon=", "--first-photon=-0", "--first-photon=0x1", "--photons=", "--resume="})
+        expect_refusal({"trace", cornell, "--hits", "1000", option}, {std::string(option).substr(0, 8)});
+}
+
+TEST_F(BadOption, TheLargestSeedIsOne) {
+    expect_success(render(cornell, "photonmap", {"--seed", "18446744073709551615"}));
+    EXPECT_EQ(common::read_notes(path("image.exr")).at("shlmbench:seed"), "18446744073709551615");
+    // Decimal, whatever it begins with.
+    expect_success(render(cornell, "photonmap", {"--seed", "010"}));
+    EXPECT_EQ(common::read_notes(path("image.exr")).at("shlmbench:seed"), "10");
 }
 
 // info.
@@ -262,6 +312,22 @@ TEST_F(Render, WritesHalfFloatsWithTheirOriginAndAPicture) {
     ASSERT_TRUE(png);
     EXPECT_EQ(png->spec().width, 32);
     EXPECT_EQ(png->spec().nchannels, 3);
+}
+
+TEST_F(Render, IsTheSamePictureByStarlight) {
+    const auto picture_by = [&](const std::string& sky) {
+        expect_success(
+            render(write(gltf_text::one_triangle()), "photonmap", {"--sky", sky, "--max-radius=0.3"}));
+        return common::read_image(path("image.exr"));
+    };
+    const common::Image day = picture_by("1,1,1"), night = picture_by("1e-9,1e-9,1e-9");
+    ASSERT_EQ(day.values.size(), night.values.size());
+    const std::size_t irradiance = *day.find_channel("irradiance.G");
+    float brightest = 0;
+    for (std::size_t p = 0; p < day.pixel_count(); ++p)
+        brightest = std::max(brightest, day.at(p, irradiance));
+    for (std::size_t p = 0; p < day.pixel_count(); ++p)  // day is in half floats
+        EXPECT_NEAR(1e9f * night.at(p, irradiance), day.at(p, irradiance), 1e-3f * brightest);
 }
 
 TEST_F(Render, IsTheSameForAnyNumberOfThreads) {

@@ -1,4 +1,5 @@
 // shlmbench diff as its user meets it: what is compared, what is refused, and when it fails.
+#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -169,6 +170,97 @@ TEST_F(Diff, WritesAMap) {
     EXPECT_NEAR(same.at(0, 2), 4 / 255.0, 1e-6);
     EXPECT_EQ(run(flat(rgb, 0), reference, {"--flip-map", path("map.png")}).exit_code, 0);
     EXPECT_GT(common::read_image(path("map.png")).at(0, 0), 0.9f);
+}
+
+// Where pixels lie.
+
+/// A place in a picture: OpenEXR's windows.
+struct Place {
+    int x, y;           ///< of the data window, from the display window's corner
+    int width, height;  ///< of the display window
+    int display_x = 0, display_y = 0;
+};
+
+/// The image at that place.
+void write_at(const std::string& file, const Image& image, const Place& place) {
+    OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeFloat);
+    spec.channelnames = image.channels;
+    spec.x = place.display_x + place.x;
+    spec.y = place.display_y + place.y;
+    spec.full_x = place.display_x;
+    spec.full_y = place.display_y;
+    spec.full_width = place.width;
+    spec.full_height = place.height;
+    const auto out = OIIO::ImageOutput::create(file);
+    ASSERT_TRUE(out && out->open(file, spec) && out->write_image(OIIO::TypeFloat, image.values.data()) &&
+                out->close());
+}
+
+/// Another value in each pixel of a picture; the part of it that is at (x, y).
+Image part_at(int x, int y, int width, int height) {
+    Image image{width, height, rgb, {}};
+    for (int row = y; row < y + height; ++row)
+        for (int column = x; column < x + width; ++column)
+            for (int c = 0; c < 3; ++c)
+                image.values.push_back(static_cast<float>(1000 + 100 * row + column + 10 * c));
+    return image;
+}
+
+class DiffWindows : public Diff {
+  protected:
+    [[nodiscard]] Json figures_of_files() const {
+        const Ended ended = run_on("image.exr", "reference.exr", {"--json"});
+        EXPECT_EQ(ended.exit_code, 0) << ended.err;
+        return ended.exit_code == 0 ? Json::parse(ended.out) : Json();
+    }
+};
+
+TEST_F(DiffWindows, TheSamePixelsElsewhereAreNotCompared) {
+    const Image part = part_at(0, 0, 8, 6);
+    write_at(path("image.exr"), part, {8, 6, 16, 12});
+    write_at(path("reference.exr"), part, {0, 0, 16, 12});
+    expect_refusal(run_on("image.exr", "reference.exr"), {"image.exr has 8 x 6 at (8, 6) of 16 x 12",
+                                                          "reference.exr has 8 x 6 at (0, 0) of 16 x 12"});
+    // Nor with the whole picture, nor with another one of the part's size.
+    write_at(path("reference.exr"), part_at(0, 0, 16, 12), {0, 0, 16, 12});
+    expect_refusal(run_on("image.exr", "reference.exr"), {"8 x 6 at (8, 6) of 16 x 12", "has 16 x 12"});
+    write_at(path("reference.exr"), part, {0, 0, 8, 6});
+    expect_refusal(run_on("image.exr", "reference.exr"), {"8 x 6 at (8, 6) of 16 x 12", "has 8 x 6"});
+}
+
+TEST_F(DiffWindows, TheSamePartOfAPictureIsCompared) {
+    Image other = part_at(8, 6, 8, 6);
+    other.values.back() += 1;
+    write_at(path("image.exr"), other, {8, 6, 16, 12});
+    write_at(path("reference.exr"), part_at(8, 6, 8, 6), {8, 6, 16, 12});
+    const Json found = figures_of_files();
+    EXPECT_EQ(found["worst"]["x"], 15);
+    EXPECT_EQ(found["worst"]["y"], 11);
+    EXPECT_EQ(found["width"], 8);
+    // Wherever the picture itself begins.
+    write_at(path("image.exr"), part_at(8, 6, 8, 6), {8, 6, 16, 12, -100, 50});
+    EXPECT_EQ(figures_of_files()["relmse"], 0);
+}
+
+TEST_F(DiffWindows, WhatLiesBesideThePictureIsLeftOut) {
+    write_at(path("image.exr"), part_at(-2, -3, 13, 11), {-2, -3, 8, 6});
+    write_at(path("reference.exr"), part_at(0, 0, 8, 6), {0, 0, 8, 6});
+    for (int turn = 0; turn < 2; ++turn) {
+        const Json found = figures_of_files();
+        EXPECT_EQ(found["relmse"], 0);
+        EXPECT_EQ(found["pixels_compared"], 48);
+        fs::rename(path("image.exr"), path("swapped.exr"));
+        fs::rename(path("reference.exr"), path("image.exr"));
+        fs::rename(path("swapped.exr"), path("reference.exr"));
+    }
+    write_at(path("image.exr"), part_at(20, 0, 8, 6), {20, 0, 8, 6});
+    expect_refusal(run_on("image.exr", "reference.exr"), {"image.exr: no pixel lies in the picture"});
+}
+
+TEST_F(DiffWindows, APlaceThatIsNotFiniteIsOneOfThePicture) {
+    write_at(path("image.exr"), with(part_at(4, 2, 8, 6), 1, 1, "G", nan), {4, 2, 16, 12});
+    write_at(path("reference.exr"), part_at(4, 2, 8, 6), {4, 2, 16, 12});
+    expect_refusal(run_on("image.exr", "reference.exr"), {"the first of them (5, 3)"});
 }
 
 // What is refused.

@@ -50,13 +50,14 @@ class LongWorkOf : public Command, public testing::WithParamInterface<LongWork> 
     void expect_no_half_files() const {
         for (const std::string& name : files_in(folder.path())) {
             EXPECT_EQ(name.find(".tmp"), std::string::npos) << name;
-            EXPECT_FALSE(name.ends_with(".part")) << name;
+            EXPECT_FALSE(name.ends_with(".part") || name.ends_with(".lock")) << name;
+            EXPECT_FALSE(fs::path(name).filename().string().starts_with('.')) << name;
         }
     }
 };
 
 TEST_P(LongWorkOf, StopsWhenItIsTold) {
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         Child child = start(words_to(path(fmt::format("{}-{}", signal, GetParam().out)), false));
         ASSERT_TRUE(child_process::wait_until([&] { return child.catches(signal); }));
         std::this_thread::sleep_for(std::chrono::milliseconds(700));

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,7 +11,10 @@
 #include <vector>
 
 #include "bench/app/ending.h"
+#include "bench/app/image_output.h"
+#include "bench/app/number_options.h"
 #include "common/core/input_error.h"
+#include "common/core/standard_streams.h"
 #include "common/difference/error_map.h"
 #include "common/difference/error_metrics.h"
 #include "common/difference/flip.h"
@@ -39,10 +41,12 @@ struct Measured {
 };
 
 void check(const DiffOptions& options) {
-    if (options.most_relmse && !(std::isfinite(*options.most_relmse) && *options.most_relmse >= 0))
+    if (options.most_relmse && *options.most_relmse < 0)
         throw common::InputError("--fail-relmse: a number, 0 or more");
     if (!options.flip_map.empty() && std::filesystem::path(options.flip_map).extension() != ".png")
         throw common::InputError("--flip-map: the map is a .png file");
+    if (!options.flip_map.empty())
+        check_png_output("--flip-map", options.flip_map, common::picture_of_errors);
 }
 
 template <class T>
@@ -75,8 +79,8 @@ Measured measure_images(const common::ComparableImages& both) {
 Json worst_value(const common::WorstValue& worst, const common::ComparableImages& both) {
     const std::size_t place = both.compared[worst.pixel], width = both.width;
     constexpr std::array<const char*, 3> names = {"R", "G", "B"};
-    return {{"x", place % width},
-            {"y", place / width},
+    return {{"x", both.x + place % width},
+            {"y", both.y + place / width},
             {"channel", names[worst.channel]},
             {"image", worst.image},
             {"reference", worst.reference}};
@@ -127,11 +131,12 @@ std::string text_of(const Json& value) {
 
 void print(const Json& facts, bool json) {
     if (json) {
-        fmt::print("{}\n", facts.dump(2, ' ', false, Json::error_handler_t::replace));  // odd file names
+        common::print_result(fmt::format(
+            "{}\n", facts.dump(2, ' ', false, Json::error_handler_t::replace)));  // odd file names
         return;
     }
     for (const auto& [key, value] : facts.items())
-        if (!value.is_null()) fmt::print("{:<22} {}\n", key, text_of(value));
+        if (!value.is_null()) common::print_result(fmt::format("{:<22} {}\n", key, text_of(value)));
 }
 
 /// What makes a reference no measure is said with its file's name.
@@ -172,8 +177,9 @@ void add_diff_command(CLI::App& app) {
     const auto options = std::make_shared<DiffOptions>();
     CLI::App* command = app.add_subcommand("diff", "Say how far an image is from a reference");
     command->add_option("IMAGE", options->image, "Linear image, .exr")->required();
-    command->add_option("REFERENCE", options->reference, "Linear image of the same size, .exr")->required();
-    command->add_option("--fail-relmse", options->most_relmse, "Exit with 1 where relMSE is more than this");
+    command->add_option("REFERENCE", options->reference, "Linear image of the same size and place, .exr")
+        ->required();
+    add_number(*command, "--fail-relmse", options->most_relmse, "Exit with 1 where relMSE is more than this");
     command->add_option("--flip-map", options->flip_map, "PNG to write: where a viewer sees a difference");
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options] { run(*options); });

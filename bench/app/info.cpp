@@ -7,6 +7,7 @@
 
 #include "bench/app/memory_need.h"
 #include "bench/app/methods.h"
+#include "common/core/standard_streams.h"
 
 namespace bench {
 namespace {
@@ -113,14 +114,16 @@ void run(const InfoOptions& options) {
     require_memory(parse_method("--texels", "shlm"), settings, 0, default_max_bytes());
     const Json all = facts(loaded, prepared);
     if (options.json) {
-        fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));  // odd file names
+        common::print_result(
+            fmt::format("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace)));  // odd file names
         return;
     }
     for (const auto& [key, value] : all.items())
         if (key != "warnings")
-            fmt::print("{:<12} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+            common::print_result(
+                fmt::format("{:<12} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump()));
     for (const auto& warning : all["warnings"])
-        fmt::print("{:<12} {}\n", "warning", warning.get<std::string>());
+        common::print_result(fmt::format("{:<12} {}\n", "warning", warning.get<std::string>()));
 }
 
 }  // namespace

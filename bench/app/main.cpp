@@ -1,7 +1,6 @@
 // shlmbench: photon maps against spherical harmonic light maps.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
+#include <string>
 
 #include "bench/app/diff.h"
 #include "bench/app/ending.h"
@@ -18,12 +17,26 @@
 #include "bench/study/study.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
+#include "common/core/standard_streams.h"
 
 namespace {
 
 constexpr int bound_exceeded = 1;
 constexpr int bad_input = 2;
 constexpr int stopped_by_user = 130;  // as shells have it for SIGINT
+
+void complain(const std::string& text) {
+    common::say("shlmbench: " + text);
+}
+
+/// A value that is empty is a variable of a script that has none; to leave the option out says that nothing
+/// is asked for.
+void refuse_empty_values(CLI::App& app) {
+    const auto is_empty = [](const std::string& text) { return text.empty() ? "has no value" : ""; };
+    for (CLI::App* command : app.get_subcommands({}))
+        for (CLI::Option* option : command->get_options())
+            if (option->get_items_expected_max() > 0) option->check(is_empty);
+}
 
 int run(int argc, char** argv) {
     CLI::App app(
@@ -41,37 +54,47 @@ int run(int argc, char** argv) {
     bench::add_limit_command(app);
     bench::add_fit_command(app);
     bench::add_stability_command(app);
+    refuse_empty_values(app);
     try {
         app.parse(argc, argv);
         return 0;
     } catch (const CLI::Success& e) {
         return app.exit(e);
     } catch (const CLI::ParseError& e) {
-        fmt::print(stderr, "shlmbench: {}\n", e.what());
+        complain(e.what());
         return bad_input;
+    }
+}
+
+/// As run(), with an exit code for whatever may be thrown.
+int run_guarded(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const common::InputError& e) {
+        complain(e.what());
+        return bad_input;
+    } catch (const bench::BoundExceeded& e) {
+        complain(e.what());
+        return bound_exceeded;
+    } catch (const bench::Interrupted& e) {
+        complain(e.what());
+        return stopped_by_user;
+    } catch (const std::bad_alloc&) {
+        complain("out of memory");
+        return bad_input;
+    } catch (const std::exception& e) {
+        complain(e.what());
+        return 1;
     }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    common::secure_standard_streams();
     common::note_interrupts();
-    try {
-        return run(argc, argv);
-    } catch (const common::InputError& e) {
-        fmt::print(stderr, "shlmbench: {}\n", e.what());
-        return bad_input;
-    } catch (const bench::BoundExceeded& e) {
-        fmt::print(stderr, "shlmbench: {}\n", e.what());
-        return bound_exceeded;
-    } catch (const bench::Interrupted& e) {
-        fmt::print(stderr, "shlmbench: {}\n", e.what());
-        return stopped_by_user;
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "shlmbench: out of memory\n");
-        return bad_input;
-    } catch (const std::exception& e) {
-        fmt::print(stderr, "shlmbench: {}\n", e.what());
-        return 1;
-    }
+    const int exit_code = run_guarded(argc, argv);
+    if (common::results_are_written()) return exit_code;
+    complain("the result could not be written to standard output");
+    return exit_code == 0 ? bad_input : exit_code;
 }

@@ -9,11 +9,16 @@
 #include "bench/app/ending.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
+#include "common/core/output_file.h"
+#include "common/core/output_lock.h"
+#include "common/core/standard_streams.h"
 #include "shlm/map_file.h"
 #include "shlm/texel_sums.h"
 
 namespace bench {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct MergeOptions {
     std::vector<std::string> files;
@@ -51,6 +56,16 @@ std::vector<shlm::MapFileReader> open_pieces(const std::vector<std::string>& fil
     return sorted;
 }
 
+/// Throws InputError where a file is there that has anything else than photons of `run`.
+void require_nothing_is_lost(const fs::path& out, const shlm::MapRun& run) {
+    if (!fs::exists(out)) return;
+    const shlm::MapRun there = shlm::MapFileReader(out).run();
+    if (!run.identity.difference(there.identity).empty() || there.first_photon < run.first_photon ||
+        there.end_photon() > run.end_photon())
+        throw common::InputError(fmt::format(
+            "--out: {} is there already, with photons that the files to merge do not have", out.string()));
+}
+
 /// Adds up what `read(piece, planes)` gets of every piece.
 template <class Read>
 void add_up(std::vector<shlm::MapFileReader>& pieces, std::span<std::int64_t> sums,
@@ -70,10 +85,15 @@ void add_up(std::vector<shlm::MapFileReader>& pieces, std::span<std::int64_t> su
 
 void run(const MergeOptions& options) {
     shlm::check_map_output("--out", options.out);
+    const std::vector<fs::path> inputs(options.files.begin(), options.files.end());
+    for (const fs::path& file : {fs::path(options.out), shlm::part_of(options.out)})
+        common::refuse_input_as_output("--out", file, inputs);
+    const common::OutputLock lock("--out", options.out);
     std::vector<shlm::MapFileReader> pieces = open_pieces(options.files);
     shlm::MapRun run = pieces.front().run();
     for (std::size_t i = 1; i < pieces.size(); ++i) run.append(pieces[i].run());
     run.program = build_commit;
+    require_nothing_is_lost(options.out, run);
 
     const shlm::MapFileSize size = pieces.front().size();
     shlm::MapFileWriter out(options.out, run, size);
@@ -88,8 +108,8 @@ void run(const MergeOptions& options) {
     out.write_hits(hits);
     for (shlm::MapFileReader& piece : pieces) piece.check();
     out.finish();
-    fmt::print("{}: {} hits of {} photons from number {}\n", options.out, run.hits, run.fates.emitted,
-               run.first_photon);
+    common::print_result(fmt::format("{}: {} hits of {} photons from number {}\n", options.out, run.hits,
+                                     run.fates.emitted, run.first_photon));
 }
 
 }  // namespace

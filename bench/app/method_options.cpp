@@ -2,16 +2,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include "bench/app/number_options.h"
 #include "common/core/input_error.h"
 
 namespace bench {
 
 void MethodOptions::add_to(CLI::App& command) {
     texels.add_to(command);
-    command
-        .add_option("--max-radius", max_radius,
-                    "Photon maps: largest gather radius; 0: 1/20 of the scene's diagonal")
-        ->capture_default_str();
+    add_number(command, "--max-radius", max_radius,
+               "Photon maps: largest gather radius; 0: 1/20 of the scene's diagonal")
+        ->default_str("0");
 }
 
 MethodSettings MethodOptions::settings() const {

@@ -7,11 +7,15 @@
 
 #include "bench/app/ending.h"
 #include "bench/app/image_output.h"
+#include "bench/app/number_options.h"
 #include "bench/app/reference_run.h"
 #include "bench/app/run_options.h"
 #include "bench/app/warnings.h"
 #include "common/core/input_error.h"
+#include "common/core/output_lock.h"
+#include "common/core/standard_streams.h"
 #include "common/core/threads.h"
+#include "common/gltf/source_files.h"
 #include "common/reference/continuation.h"
 #include "common/reference/paths_not_found.h"
 #include "common/tracer/photon_source.h"
@@ -39,7 +43,9 @@ void require_something_to_measure(const LoadedScene& loaded, const ReferenceRun&
 
 void run(const ReferenceOptions& options) {
     const ReferenceTarget target = reference_target(options.spp, options.until);
-    check_image_output(options.out, options.width, options.height);
+    check_image_output(options.out, options.width, options.height,
+                       [&] { return common::source_files(options.file); });
+    const common::OutputLock lock("--out", options.out);
     common::ThreadPool pool(options.run.thread_count());
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
@@ -49,7 +55,7 @@ void run(const ReferenceOptions& options) {
         print_scene_warnings(loaded);
         if (const std::string lost = reference::paths_not_found(loaded.scene); !lost.empty())
             print_warning(loaded, "not in the reference: " + lost);
-        if (before) fmt::print(stderr, "going on from {}\n", describe(run, *before));
+        if (before) common::say(fmt::format("going on from {}", describe(run, *before)));
 
         reference::ReferenceSums sums = before.value_or(reference::ReferenceSums(run.pixels.size()));
         const std::uint64_t passes_before = sums.passes;
@@ -58,7 +64,7 @@ void run(const ReferenceOptions& options) {
         if (!reached)
             throw Interrupted(sums.passes < fewest_passes ? "reference stopped: no image is written"
                                                           : "reference stopped: " + describe(run, sums));
-        fmt::print("{}\n", describe(run, sums));
+        common::print_result(fmt::format("{}\n", describe(run, sums)));
     });
 }
 
@@ -79,8 +85,8 @@ void add_reference_command(CLI::App& app) {
                         "Samples per pixel, rounded up to whole passes of 64; 1024 if nothing is said");
     command->add_option("--until", options->until,
                         "Sample until the relative error is at most this, e.g. 0.1%");
-    command->add_option("--width", options->width, "Pixels")->capture_default_str();
-    command->add_option("--height", options->height, "Pixels")->capture_default_str();
+    add_whole_number(*command, "--width", options->width, "Pixels");
+    add_whole_number(*command, "--height", options->height, "Pixels");
     options->scene.add_to(*command);
     options->run.add_to(*command);
     command->callback([options] { run(*options); });

@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "bench/app/image_output.h"
 #include "bench/app/provenance.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
@@ -61,8 +62,7 @@ void write(const ReferenceRun& run, const reference::ReferenceSums& sums) {
     const common::Image image =
         reference::to_image(run.pixels, run.identity.width, run.identity.height, sums);
     common::write_exr(run.out, image, notes, common::Precision::single);
-    common::write_png(std::filesystem::path(run.out).replace_extension(".png"), image,
-                      common::middle_grey_exposure(image));
+    common::write_png(picture_of(run.out), image, common::middle_grey_exposure(image));
 }
 
 std::string describe(const ReferenceRun& run, const reference::ReferenceSums& sums) {

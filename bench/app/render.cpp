@@ -11,13 +11,16 @@
 #include "bench/app/map_identity.h"
 #include "bench/app/memory_need.h"
 #include "bench/app/method_options.h"
+#include "bench/app/number_options.h"
 #include "bench/app/provenance.h"
 #include "bench/app/run_options.h"
 #include "bench/app/warnings.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
+#include "common/core/standard_streams.h"
 #include "common/core/threads.h"
+#include "common/gltf/source_files.h"
 #include "common/image/render.h"
 #include "common/tracer/trace_photons.h"
 #include "shlm/checkpoint.h"
@@ -118,10 +121,17 @@ Rendering gather_from_file(const RenderPlan& plan, const LoadedScene& loaded,
     });
 }
 
+std::vector<std::filesystem::path> inputs_of(const RenderOptions& options) {
+    std::vector<std::filesystem::path> inputs = common::source_files(options.file);
+    if (!options.map.empty()) inputs.emplace_back(options.map);
+    return inputs;
+}
+
 RenderPlan make_plan(const RenderOptions& options) {
     RenderPlan plan{options, parse_method("--method", options.method), options.methods.settings(),
                     target_of(options), max_map_bytes(options)};
-    check_image_output(options.out, options.width, options.height);
+    check_image_output(options.out, options.width, options.height, [&] { return inputs_of(options); });
+    check_replaces_a_rendered_image(options.out);
     require_memory(plan.method, plan.settings, plan.target.hits, plan.max_bytes);
     return plan;
 }
@@ -151,10 +161,9 @@ void run(const RenderOptions& options) {
         notes["shlmbench:photons_emitted"] = std::to_string(made.trace.fates.emitted);
         notes["shlmbench:hits_rejected"] = std::to_string(made.rejected.total());
         common::write_exr(options.out, made.image, notes);
-        common::write_png(std::filesystem::path(options.out).replace_extension(".png"), made.image,
-                          common::middle_grey_exposure(made.image));
-        fmt::print("{}: {} hits of {} photons, {} of them rejected\n", options.out, made.trace.hits,
-                   made.trace.fates.emitted, made.rejected.total());
+        common::write_png(picture_of(options.out), made.image, common::middle_grey_exposure(made.image));
+        common::print_result(fmt::format("{}: {} hits of {} photons, {} of them rejected\n", options.out,
+                                         made.trace.hits, made.trace.fates.emitted, made.rejected.total()));
     });
 }
 
@@ -173,8 +182,8 @@ void add_render_command(CLI::App& app) {
     command->add_option("--photons", options->photons, "Trace exactly this many photons");
     command->add_option("--map", options->map, "Trace nothing: take a light map's sums from trace's file");
     command->add_option("--out", options->out, "Image to write, .exr; the PNG goes beside it")->required();
-    command->add_option("--width", options->width, "Pixels")->capture_default_str();
-    command->add_option("--height", options->height, "Pixels")->capture_default_str();
+    add_whole_number(*command, "--width", options->width, "Pixels");
+    add_whole_number(*command, "--height", options->height, "Pixels");
     options->scene.add_to(*command);
     options->methods.add_to(*command);
     options->run.add_to(*command);

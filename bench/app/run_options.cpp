@@ -3,21 +3,21 @@
 #include <CLI/CLI.hpp>
 #include <thread>
 
+#include "bench/app/number_options.h"
 #include "common/core/input_error.h"
 
 namespace bench {
 
 void add_seed_option(CLI::App& command, std::uint64_t& seed) {
-    // CLI11 would take -1 for 2^64 - 1.
-    command.add_option("--seed", seed, "Another seed, other random numbers")
-        ->check([](const std::string& text) {
-            return std::string(text.starts_with('-') ? "must not be negative" : "");
-        })
-        ->capture_default_str();
+    add_whole_number(command, "--seed", seed, "Another seed, other random numbers");
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+    add_whole_number(command, "--threads", threads, "0: all");
 }
 
 void RunOptions::add_to(CLI::App& command) {
-    command.add_option("--threads", threads, "0: all")->capture_default_str();
+    add_threads_option(command, threads);
     add_seed_option(command, seed);
 }
 

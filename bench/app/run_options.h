@@ -9,8 +9,11 @@ class App;
 
 namespace bench {
 
-/// --seed: any number that is not negative.
+/// --seed: any whole number from 0 to 2^64 - 1.
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
+
+/// --threads: 0 means all.
+void add_threads_option(CLI::App& command, int& threads);
 
 struct RunOptions {
     int threads = 0;  ///< 0: as many as the machine has

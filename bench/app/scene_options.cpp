@@ -137,7 +137,7 @@ std::size_t parse_bytes(const std::string& option, const std::string& text) {
     std::string_view rest = text;
     const double value = take_number(option, rest);
     const double unit = rest == "GiB" ? 0x1p30 : rest == "MiB" ? 0x1p20 : rest.empty() ? 1 : 0;
-    if (unit == 0 || !(value > 0 && value * unit < 0x1p62))
+    if (unit == 0 || !(value * unit >= 1 && value * unit < 0x1p62))
         throw InputError(fmt::format("{}: '{}' is not a size such as 512MiB or 20GiB", option, text));
     return static_cast<std::size_t>(value * unit);
 }

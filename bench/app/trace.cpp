@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "bench/app/commit.h"
@@ -16,7 +17,9 @@
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/memory_use.h"
+#include "common/core/output_lock.h"
 #include "common/core/progress.h"
+#include "common/core/standard_streams.h"
 #include "common/core/stopwatch.h"
 #include "common/core/threads.h"
 #include "shlm/checkpoint.h"
@@ -56,22 +59,40 @@ common::TraceTarget target_of(const TraceOptions& options) {
     return target;
 }
 
+/// The file itself where the path leads to it by links: what is written takes its place, not a link's.
+fs::path followed(const fs::path& file) {
+    std::error_code not_there;
+    return fs::is_symlink(file, not_there) ? fs::canonical(file, not_there) : file;
+}
+
 TracePlan make_plan(const TraceOptions& options) {
     TracePlan plan{options,
                    parse_method("--method", options.method),
                    {.texels = options.texels.choice()},
                    target_of(options),
-                   options.checkpoint.empty() ? options.resume : options.checkpoint,
+                   options.checkpoint.empty() || options.checkpoint == options.resume
+                       ? followed(options.resume)
+                       : fs::path(options.checkpoint),
                    parse_seconds("--every", options.every)};
     if (!plan.method.light_map())
         throw common::InputError("--method: only a light map, shlm/..., is traced so");
-    if (!plan.checkpoint.empty())
-        shlm::check_map_output(options.checkpoint.empty() ? "--resume" : "--checkpoint", plan.checkpoint);
-    if (plan.checkpoint != options.resume && fs::exists(plan.checkpoint))
-        throw common::InputError(fmt::format("--checkpoint: {} is there already; --resume goes on from it",
-                                             plan.checkpoint.string()));
     require_memory(plan.method, plan.settings, 0, default_max_bytes());
     return plan;
+}
+
+/// Keeps the checkpoint to this run; null where there is none. Throws InputError where another run has it, or
+/// an earlier one has left it and nothing is to go on from there.
+std::unique_ptr<const common::OutputLock> claim_checkpoint(const TracePlan& plan) {
+    if (plan.checkpoint.empty()) return nullptr;
+    const std::string option = plan.options.checkpoint.empty() ? "--resume" : "--checkpoint";
+    shlm::check_map_output(option, plan.checkpoint);
+    auto lock = std::make_unique<const common::OutputLock>(option, plan.checkpoint);
+    // Asked when no other run can make it any more.
+    if (!plan.options.checkpoint.empty() && plan.options.checkpoint != plan.options.resume &&
+        fs::exists(plan.checkpoint))
+        throw common::InputError(fmt::format("--checkpoint: {} is there already; --resume goes on from it",
+                                             plan.checkpoint.string()));
+    return lock;
 }
 
 /// The sums on their way to their end, with what is needed to write them.
@@ -181,16 +202,17 @@ Json summary(const TracePlan& plan, const LoadedScene& loaded, const MapTrace<Mo
 }
 
 void print(const Json& all) {
-    fmt::print("{}: {} hits of {} photons from number {}, {} of them rejected\n",
-               all["scene"].get<std::string>(), all["hits"].get<std::uint64_t>(),
-               all["photons"].get<std::uint64_t>(), all["first_photon"].get<std::uint64_t>(),
-               all["hits_rejected"].get<std::uint64_t>());
-    fmt::print("{:.1f} s, {:.3g} M hits/s, peak memory {:.0f} MiB\n", all["seconds"].get<double>(),
-               all["hits_per_second"].get<double>() / 1e6,
-               all["peak_resident_bytes"].get<double>() * 0x1p-20);
+    common::print_result(fmt::format(
+        "{}: {} hits of {} photons from number {}, {} of them rejected\n", all["scene"].get<std::string>(),
+        all["hits"].get<std::uint64_t>(), all["photons"].get<std::uint64_t>(),
+        all["first_photon"].get<std::uint64_t>(), all["hits_rejected"].get<std::uint64_t>()));
+    common::print_result(fmt::format("{:.1f} s, {:.3g} M hits/s, peak memory {:.0f} MiB\n",
+                                     all["seconds"].get<double>(), all["hits_per_second"].get<double>() / 1e6,
+                                     all["peak_resident_bytes"].get<double>() * 0x1p-20));
     if (all.contains("checkpoint"))
-        fmt::print("{}: written {} times in {:.1f} s\n", all["checkpoint"].get<std::string>(),
-                   all["checkpoints_written"].get<int>(), all["checkpoint_seconds"].get<double>());
+        common::print_result(
+            fmt::format("{}: written {} times in {:.1f} s\n", all["checkpoint"].get<std::string>(),
+                        all["checkpoints_written"].get<int>(), all["checkpoint_seconds"].get<double>()));
 }
 
 [[noreturn]] void end_interrupted(const TracePlan& plan, const common::TraceReport& report) {
@@ -201,6 +223,7 @@ void print(const Json& all) {
 
 void run(const TraceOptions& options) {
     const TracePlan plan = make_plan(options);
+    const auto lock = claim_checkpoint(plan);
     common::ThreadPool pool(options.run.thread_count());
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
@@ -221,8 +244,8 @@ void run(const TraceOptions& options) {
             if (report.interrupted) end_interrupted(plan, report);
             const Json all = summary(plan, loaded, traced, report, watch.seconds());
             if (options.json)
-                fmt::print("{}\n",
-                           all.dump(2, ' ', false, Json::error_handler_t::replace));  // odd file names
+                common::print_result(fmt::format(
+                    "{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace)));  // odd file names
             else
                 print(all);
         });

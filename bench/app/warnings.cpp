@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "common/core/standard_streams.h"
+
 namespace bench {
 
 void print_warning(const LoadedScene& scene, const std::string& text) {
-    fmt::print(stderr, "{}: warning: {}\n", scene.name, text);
+    common::say(fmt::format("{}: warning: {}", scene.name, text));
 }
 
 void print_scene_warnings(const LoadedScene& scene) {

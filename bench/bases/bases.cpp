@@ -6,13 +6,16 @@
 #include <filesystem>
 
 #include "bench/app/ending.h"
+#include "bench/app/number_options.h"
 #include "bench/app/output_folder.h"
 #include "bench/app/python.h"
 #include "bench/app/run_options.h"
 #include "bench/bases/bases_table.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
+#include "common/core/output_lock.h"
 #include "common/core/progress.h"
+#include "common/core/standard_streams.h"
 
 namespace bench {
 namespace {
@@ -48,15 +51,17 @@ void run(const BasesOptions& options) {
     if (options.environments < 1 || options.environments > most_environments)
         throw common::InputError(fmt::format("--environments: from 1 to {}", most_environments));
     const std::filesystem::path folder = options.out;
+    check_results("--out", folder, {"bases.json", {"bases.md"}, {"charts"}}, {});
     prepare_output_folder("--out", folder);
+    const common::OutputLock lock("--out", folder / "bases.json");
     const std::vector<BasisFigures> figures =
         measure(static_cast<std::size_t>(options.environments), options.seed);
     write_text(folder / "bases.json",
                bases_as_json(figures, measure_tilt_curve(), options.seed).dump(1) + "\n");
     write_text(folder / "bases.md", bases_as_markdown(figures, options.seed));
     if (!run_python("bench/report/bases_chart.py", folder))
-        fmt::print(stderr, "bases: the charts could not be drawn; the table is complete\n");
-    fmt::print("{}\n{}\n", bases_as_text(figures), (folder / "bases.json").string());
+        common::say("bases: the charts could not be drawn; the table is complete");
+    common::print_result(fmt::format("{}\n{}\n", bases_as_text(figures), (folder / "bases.json").string()));
 }
 
 }  // namespace
@@ -65,8 +70,7 @@ void add_bases_command(CLI::App& app) {
     const auto options = std::make_shared<BasesOptions>();
     CLI::App* command =
         app.add_subcommand("bases", "Say what a texel's basis loses at tilted normals, without a scene");
-    command->add_option("--environments", options->environments, "Random environments of each kind")
-        ->capture_default_str();
+    add_whole_number(*command, "--environments", options->environments, "Random environments of each kind");
     add_seed_option(*command, options->seed);
     command->add_option("--out", options->out, "Folder for bases.json, bases.md and charts")->required();
     command->callback([options] { run(*options); });

@@ -13,6 +13,8 @@
 #include "bench/compare/result_table.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
+#include "common/core/output_lock.h"
+#include "common/core/standard_streams.h"
 #include "common/core/threads.h"
 #include "common/scene/fingerprint.h"
 
@@ -109,6 +111,7 @@ void check_scenes(const ComparePlan& plan) {
 
 void run(const CompareOptions& options) {
     const ComparePlan plan = make_plan(options);
+    const common::OutputLock lock("--out", plan.out / "compare.json");
     common::ThreadPool pool(plan.threads);
     pool.run([&] {
         check_scenes(plan);
@@ -117,8 +120,8 @@ void run(const CompareOptions& options) {
             if (!compare_scene(plan, file, table))
                 throw Interrupted(fmt::format("compare stopped: {} finished rows are in {}",
                                               table.rows().size(), (plan.out / "compare.json").string()));
-        fmt::print("{}", rows_as_text(table.rows()));
-        fmt::print("\n{}\n", (plan.out / "compare.json").string());
+        common::print_result(rows_as_text(table.rows()));
+        common::print_result(fmt::format("\n{}\n", (plan.out / "compare.json").string()));
         if (!run_python("bench/report/charts.py", plan.out))
             throw std::runtime_error("compare: the charts could not be drawn; the table is complete");
     });

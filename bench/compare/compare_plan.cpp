@@ -5,29 +5,26 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/app/memory_need.h"
+#include "bench/app/number_options.h"
 #include "bench/app/output_folder.h"
 #include "common/core/input_error.h"
+#include "common/gltf/source_files.h"
 
 namespace bench {
 void CompareOptions::add_to(CLI::App& command) {
     command.add_option("SCENE", files, "glTF 2.0 files, .gltf or .glb")->required();
-    command.add_option("--hits", hits, "Numbers of hits, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
-    command.add_option("--methods", methods, "Methods, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
+    command.add_option("--hits", hits, "Numbers of hits, separated by commas")->capture_default_str();
+    command.add_option("--methods", methods, "Methods, separated by commas")->capture_default_str();
     command.add_option("--out", out, "Folder for compare.json, compare.csv, charts and images")
         ->capture_default_str();
     command.add_option(
         "--max-memory", max_memory,
         "Methods that would need more are not started, and ended where they grow past it; default: 9/10 "
         "of what is free");
-    command
-        .add_option("--repetitions", repetitions, "Runs of each method, interleaved; the table has medians")
-        ->capture_default_str();
-    command.add_option("--seconds-per-size", seconds_per_size,
-                       "Fewer repetitions where one scene and number of hits would take longer");
+    add_whole_number(command, "--repetitions", repetitions,
+                     "Runs of each method, interleaved; the table has medians");
+    add_number(command, "--seconds-per-size", seconds_per_size,
+               "Fewer repetitions where one scene and number of hits would take longer");
     scene.add_to(command);
     method_options.add_to(command);
     run.add_to(command);
@@ -36,8 +33,8 @@ void CompareOptions::add_to(CLI::App& command) {
 ComparePlan make_plan(const CompareOptions& options) {
     require_different_names(options.files);
     ComparePlan plan{.files = options.files,
-                     .hits = parse_sizes("--hits", options.hits),
-                     .methods = parse_methods("--methods", options.methods),
+                     .hits = parse_sizes("--hits", parse_list("--hits", options.hits)),
+                     .methods = parse_methods("--methods", parse_list("--methods", options.methods)),
                      .out = options.out,
                      .max_bytes = options.max_memory.empty()
                                       ? default_max_bytes()
@@ -51,6 +48,10 @@ ComparePlan make_plan(const CompareOptions& options) {
     if (plan.repetitions < 1 || plan.repetitions > 10'000)
         throw common::InputError("--repetitions: from 1 to 10000");
     if (!(plan.seconds_per_size >= 0)) throw common::InputError("--seconds-per-size: must not be negative");
+    std::vector<std::filesystem::path> inputs;
+    for (const std::string& file : plan.files)
+        for (std::filesystem::path& source : common::source_files(file)) inputs.push_back(std::move(source));
+    check_results("--out", plan.out, {"compare.json", {"compare.csv"}, {"charts", "images"}}, inputs);
     prepare_output_folder("--out", plan.out);
     return plan;
 }

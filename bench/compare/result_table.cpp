@@ -10,6 +10,7 @@
 #include "bench/app/output_folder.h"
 #include "bench/app/provenance.h"
 #include "bench/compare/row.h"
+#include "common/core/standard_streams.h"
 
 namespace bench {
 namespace {
@@ -31,13 +32,13 @@ Json earlier_rows(const std::filesystem::path& file, const Json& context) {
     const EarlierRows earlier = read_earlier_rows(file, context);
     if (!earlier.found) return Json::array();
     if (!earlier.same_context) {
-        fmt::print(stderr, "compare: {} is of another build, machine or setting and is written anew\n",
-                   file.string());
+        common::say(fmt::format("compare: {} is of another build, machine or setting and is written anew",
+                                file.string()));
         return Json::array();
     }
     const Json& rows = earlier.document["rows"];
-    fmt::print(stderr, "compare: {} rows in {} are of this build and settings and are kept\n", rows.size(),
-               file.string());
+    common::say(fmt::format("compare: {} rows in {} are of this build and settings and are kept", rows.size(),
+                            file.string()));
     return rows;
 }
 

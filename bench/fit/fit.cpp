@@ -11,6 +11,8 @@
 #include "bench/fit/explanation_table.h"
 #include "bench/fit/fit_table.h"
 #include "common/core/input_error.h"
+#include "common/core/output_lock.h"
+#include "common/core/standard_streams.h"
 #include "common/core/threads.h"
 
 namespace bench {
@@ -59,12 +61,6 @@ std::string as_text(const Json& document, int indent) {
     return document.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";  // odd file names
 }
 
-/// Of several goals each has its own, such as 5-time.
-std::filesystem::path folder_of(const FitPlan& plan, const fit::FitGoal& goal) {
-    if (plan.goals.size() == 1) return *plan.out;
-    return *plan.out / fmt::format("{:g}-{}", 100 * goal.target, goal.least());
-}
-
 void write(const std::filesystem::path& folder, const FitDocuments& documents) {
     prepare_output_folder("--out", folder);
     write_text(folder / "fit.json", as_text(documents.fit, 2));
@@ -77,9 +73,10 @@ void write(const std::filesystem::path& folder, const FitDocuments& documents) {
 }
 
 void say(const FitPlan& plan, const fit::FitGoal& goal, const FitDocuments& documents, bool as_json) {
-    if (plan.out) write(folder_of(plan, goal), documents);
-    fmt::print("{}", as_json ? as_text(documents.fit, 2) : fit_as_text(documents.fit));
-    if (plan.out && !as_json) fmt::print("\n{}\n\n", (folder_of(plan, goal) / "fit.json").string());
+    if (plan.out) write(plan.folder_of(goal), documents);
+    common::print_result(as_json ? as_text(documents.fit, 2) : fit_as_text(documents.fit));
+    if (plan.out && !as_json)
+        common::print_result(fmt::format("\n{}\n\n", (plan.folder_of(goal) / "fit.json").string()));
     std::fflush(stdout);  // the next goal may take minutes
 }
 
@@ -106,10 +103,12 @@ void fit_all(const FitPlan& plan, bool as_json) {
 
 void run(const FitOptions& options) {
     if (options.list) {
-        for (const std::string& name : fit::grid_names()) fmt::print("{}\n", name);
+        for (const std::string& name : fit::grid_names()) common::print_result(fmt::format("{}\n", name));
         return;
     }
     const FitPlan plan = make_plan(options);
+    std::optional<common::OutputLock> lock;
+    if (plan.out) lock.emplace("--out", *plan.out / "fit.json");
     common::ThreadPool pool(plan.threads);
     pool.run([&] { fit_all(plan, options.json); });
 }

@@ -5,10 +5,12 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/app/memory_need.h"
+#include "bench/app/number_options.h"
 #include "bench/app/output_folder.h"
 #include "bench/fit/search.h"
 #include "bench/stability/significance.h"
 #include "common/core/input_error.h"
+#include "common/gltf/source_files.h"
 
 namespace bench {
 namespace {
@@ -36,26 +38,38 @@ fit::FitGoal goal_of(const FitOptions& options, const std::string& target, const
 
 std::vector<fit::FitGoal> goals_of(const FitOptions& options) {
     std::vector<fit::FitGoal> goals;
-    for (const std::string& target : options.targets)
-        for (const std::string& least : options.least) goals.push_back(goal_of(options, target, least));
+    for (const std::string& target : parse_list("--target", options.targets))
+        for (const std::string& least : parse_list("--least", options.least))
+            goals.push_back(goal_of(options, target, least));
     return goals;
+}
+
+void check_folders(const FitPlan& plan) {
+    std::vector<std::filesystem::path> inputs = common::source_files(plan.file);
+    if (plan.reference) inputs.push_back(*plan.reference);
+    for (const fit::FitGoal& goal : plan.goals)
+        check_results("--out", plan.folder_of(goal),
+                      {"fit.json", {"fit.md", "models.json", "explanation.json", "explanation.png"}, {}},
+                      inputs);
 }
 
 }  // namespace
 
+std::filesystem::path FitPlan::folder_of(const fit::FitGoal& goal) const {
+    if (goals.size() == 1) return *out;
+    return *out / fmt::format("{:g}-{}", 100 * goal.target, goal.least());
+}
+
 void FitOptions::add_to(CLI::App& command) {
     command.add_option("SCENE", file, "glTF 2.0 file, .gltf or .glb");
-    command
-        .add_option(
-            "--target", targets,
-            "The errors to reach, such as 10%,5%; pilots are shared, and --out gets a folder for each")
-        ->delimiter(',');
+    command.add_option(
+        "--target", targets,
+        "The errors to reach, such as 10%,5%; pilots are shared, and --out gets a folder for each");
     command.add_option("--metric", metric, "Of the target: relmse, the root of it, or flip, 5% being 0.05")
         ->capture_default_str();
     command
         .add_option("--least", least,
                     "What is to be as little as can be: time, bytes, or time,bytes, one after the other")
-        ->delimiter(',')
         ->capture_default_str();
     command.add_option("--budget-bytes", budget_bytes, "Finished maps must be no larger, such as 100MiB");
     command.add_option("--time", budget_time, "Runs must be no longer, such as 30s");
@@ -66,8 +80,7 @@ void FitOptions::add_to(CLI::App& command) {
                        "Methods that would need more are not considered; default: 9/10 of what is free");
     command.add_option("--verify", verify,
                        "A reference of the scene: then trace what was chosen and measure its error");
-    command.add_option("--seeds", seeds, "Runs of each verification, other seeds than the pilot's")
-        ->capture_default_str();
+    add_whole_number(command, "--seeds", seeds, "Runs of each verification, other seeds than the pilot's");
     command.add_option(
         "--out", out,
         "Folder for fit.json, fit.md, models.json (what is known of every candidate) and the picture of "
@@ -107,6 +120,7 @@ FitPlan make_plan(const FitOptions& options) {
     if (!options.verify.empty()) plan.reference = options.verify;
     if (!options.out.empty()) {
         plan.out = options.out;
+        check_folders(plan);
         prepare_output_folder("--out", *plan.out);
     }
     return plan;

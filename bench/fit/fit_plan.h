@@ -41,6 +41,10 @@ struct FitPlan {
     MethodSettings settings;
     std::uint64_t seed;
     int threads;
+
+    /// Where the results of a goal go: of several each has a folder of its own, such as 5-time. There is an
+    /// `out`.
+    [[nodiscard]] std::filesystem::path folder_of(const fit::FitGoal& goal) const;
 };
 
 /// Throws InputError for the first option that makes no sense; makes the output folder.

@@ -8,12 +8,14 @@
 
 #include "bench/app/ending.h"
 #include "bench/app/memory_need.h"
+#include "bench/app/number_options.h"
 #include "bench/app/run_options.h"
 #include "bench/app/warnings.h"
 #include "bench/limit/limit_figures.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
+#include "common/core/standard_streams.h"
 #include "common/core/threads.h"
 
 namespace bench {
@@ -112,10 +114,11 @@ void run(const LimitOptions& options) {
         stop_if_interrupted();
         const LimitSeconds seconds = measure(subject, static_cast<std::size_t>(options.repeat));
         if (options.json)
-            fmt::print("{}\n", limit_as_json(subject, seconds, threads)
-                                   .dump(2, ' ', false, Json::error_handler_t::replace));  // odd file names
+            common::print_result(fmt::format(
+                "{}\n", limit_as_json(subject, seconds, threads)
+                            .dump(2, ' ', false, Json::error_handler_t::replace)));  // odd file names
         else
-            fmt::print("{}", limit_as_text(subject, seconds, threads));
+            common::print_result(limit_as_text(subject, seconds, threads));
     });
 }
 
@@ -132,7 +135,7 @@ void add_limit_command(CLI::App& app) {
     command->add_option("--photonmap", options->photon_map, "Which photon map: photonmap/...")
         ->capture_default_str();
     options->texels.add_to(*command);
-    command->add_option("--repeat", options->repeat, "Repetitions, an odd number")->capture_default_str();
+    add_whole_number(*command, "--repeat", options->repeat, "Repetitions, an odd number");
     options->scene.add_to(*command);
     options->run.add_to(*command);
     command->add_flag("--json", options->json, "Print JSON");

@@ -15,7 +15,9 @@
 #include "bench/stability/verdict.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
+#include "common/core/output_lock.h"
 #include "common/core/progress.h"
+#include "common/core/standard_streams.h"
 #include "common/core/stopwatch.h"
 #include "common/core/threads.h"
 
@@ -57,8 +59,8 @@ class StabilityTable {
         document_ = {{"context", context}, {"rows", Json::array()}};
         if (earlier.found && earlier.same_context) document_["rows"] = earlier.document["rows"];
         if (earlier.found && !earlier.same_context)
-            fmt::print(stderr, "stability: {} is of another build, machine or form and is written anew\n",
-                       (folder / "stability.json").string());
+            common::say(fmt::format("stability: {} is of another build, machine or form and is written anew",
+                                    (folder / "stability.json").string()));
     }
 
     /// In place of an earlier row of the same case.
@@ -92,7 +94,8 @@ void draw_picture(const StabilityCase& one, const fs::path& folder) {
 }
 
 void list_cases() {
-    for (const StabilityCase* one : stability_cases()) fmt::print("{:<22} {}\n", one->name, one->purpose);
+    for (const StabilityCase* one : stability_cases())
+        common::print_result(fmt::format("{:<22} {}\n", one->name, one->purpose));
 }
 
 void run(const StabilityOptions& options) {
@@ -101,8 +104,10 @@ void run(const StabilityOptions& options) {
     RunOptions run_options;
     run_options.threads = options.threads;
     common::ThreadPool pool(run_options.thread_count());
-    prepare_output_folder("--out", options.out);
     const fs::path folder = options.out;
+    check_results("--out", folder, {"stability.json", {"stability.md"}, {"charts", "images"}}, {});
+    prepare_output_folder("--out", folder);
+    const common::OutputLock lock("--out", folder / "stability.json");
     StabilityTable table(folder, !options.quick, pool.threads());
 
     const std::size_t seeds = CaseRun(!options.quick).seeds();
@@ -123,9 +128,10 @@ void run(const StabilityOptions& options) {
         done = ++finished * seeds;
         failed += !passes(curves, stability_cases().size());
     }
-    fmt::print("{}\n{}\n", cases_as_text(table.rows()), (folder / "stability.md").string());
+    common::print_result(
+        fmt::format("{}\n{}\n", cases_as_text(table.rows()), (folder / "stability.md").string()));
     if (!run_python("bench/report/stability_charts.py", folder))
-        fmt::print(stderr, "stability: the charts could not be drawn; the table is complete\n");
+        common::say("stability: the charts could not be drawn; the table is complete");
     if (failed > 0) throw BoundExceeded(fmt::format("stability: {} cases are not as predicted", failed));
 }
 
@@ -140,7 +146,7 @@ void add_stability_command(CLI::App& app) {
     command->add_flag("--short", options->quick, "The short form that ./check runs");
     command->add_option("--out", options->out, "Folder for stability.json, stability.md, charts and images")
         ->capture_default_str();
-    command->add_option("--threads", options->threads, "0: all")->capture_default_str();
+    add_threads_option(*command, options->threads);
     command->callback([options] { run(*options); });
 }
 

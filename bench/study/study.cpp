@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "bench/app/ending.h"
@@ -11,17 +12,40 @@
 #include "bench/study/study_plan.h"
 #include "bench/study/study_run.h"
 #include "bench/study/study_table.h"
+#include "common/core/input_error.h"
+#include "common/core/output_lock.h"
+#include "common/core/standard_streams.h"
 #include "common/core/threads.h"
 
 namespace bench {
 namespace {
 
+/// A folder of this process's own, gone with all that is in it.
+class ScratchFolder {
+  public:
+    explicit ScratchFolder(const std::filesystem::path& where) : path_((where / ".warm-up-XXXXXX").string()) {
+        if (mkdtemp(path_.data()) == nullptr)
+            throw common::InputError(fmt::format("--out: {} cannot be written to", where.string()));
+    }
+    ~ScratchFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+  private:
+    std::string path_;
+};
+
 /// Tracing for a moment, unmeasured: the first run of a process finds caches, buffers and threads cold.
 void warm_up(const StudyPlan& plan, StudyScene& scene) {
+    const ScratchFolder folder(plan.out);
     StudyPlan scratch = plan;
-    scratch.out = plan.out / "warm-up";
+    scratch.out = folder.path();
     (void)run_study(scratch, scene, plan.methods, 10'000, 2);
-    std::filesystem::remove_all(scratch.out);
 }
 
 /// False where the user ended it.
@@ -59,6 +83,7 @@ void compare_with_reference(const StudyPlan& plan, const std::filesystem::path& 
 
 void run(const StudyOptions& options) {
     const StudyPlan plan = make_plan(options);
+    const common::OutputLock lock("--out", plan.out / "study.json");
     common::ThreadPool pool(plan.threads);
     pool.run([&] {
         StudyTable table(plan);
@@ -71,7 +96,7 @@ void run(const StudyOptions& options) {
         for (const std::filesystem::path& file : plan.files) compare_with_reference(plan, file, table);
         if (!run_python("bench/report/study_report.py", plan.out))
             throw std::runtime_error("study: the report could not be written; the table is complete");
-        fmt::print("{}: {} rows\n", table.file().string(), table.row_count());
+        common::print_result(fmt::format("{}: {} rows\n", table.file().string(), table.row_count()));
     });
 }
 

@@ -6,8 +6,10 @@
 #include <algorithm>
 
 #include "bench/app/memory_need.h"
+#include "bench/app/number_options.h"
 #include "bench/app/output_folder.h"
 #include "common/core/input_error.h"
+#include "common/gltf/source_files.h"
 
 namespace bench {
 namespace {
@@ -19,16 +21,21 @@ std::vector<Method> grouped_by_store(std::vector<Method> methods) {
     return methods;
 }
 
+std::vector<std::filesystem::path> inputs_of(const StudyPlan& plan) {
+    std::vector<std::filesystem::path> inputs;
+    for (const std::filesystem::path& file : plan.files) {
+        for (std::filesystem::path& source : common::source_files(file)) inputs.push_back(std::move(source));
+        inputs.push_back(plan.reference_of(file));
+    }
+    return inputs;
+}
+
 }  // namespace
 
 void StudyOptions::add_to(CLI::App& command) {
     command.add_option("SCENE", files, "glTF 2.0 files, .gltf or .glb")->required();
-    command.add_option("--hits", hits, "Numbers of hits, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
-    command.add_option("--methods", methods, "Methods, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
+    command.add_option("--hits", hits, "Numbers of hits, separated by commas")->capture_default_str();
+    command.add_option("--methods", methods, "Methods, separated by commas")->capture_default_str();
     command
         .add_option(
             "--references", references,
@@ -38,11 +45,10 @@ void StudyOptions::add_to(CLI::App& command) {
         ->capture_default_str();
     command.add_option("--max-memory", max_memory,
                        "Methods that would need more are not started; default: 9/10 of what is free");
-    command.add_option("--seeds", seeds, "Independent runs of each size: seeds 1 to this")
-        ->capture_default_str();
+    add_whole_number(command, "--seeds", seeds, "Independent runs of each size: seeds 1 to this");
     command.add_flag("--anew", anew,
                      "Begin again where the folder's rows are of another build, machine or setting");
-    command.add_option("--threads", threads, "0: all")->capture_default_str();
+    add_threads_option(command, threads);
     scene.add_to(command);
     method_options.add_to(command);
 }
@@ -50,8 +56,8 @@ void StudyOptions::add_to(CLI::App& command) {
 StudyPlan make_plan(const StudyOptions& options) {
     StudyPlan plan{
         .files = {options.files.begin(), options.files.end()},
-        .hits = parse_sizes("--hits", options.hits),
-        .methods = grouped_by_store(parse_methods("--methods", options.methods)),
+        .hits = parse_sizes("--hits", parse_list("--hits", options.hits)),
+        .methods = grouped_by_store(parse_methods("--methods", parse_list("--methods", options.methods))),
         .references = options.references,
         .out = options.out,
         .max_bytes = options.max_memory.empty() ? default_max_bytes()
@@ -70,6 +76,9 @@ StudyPlan make_plan(const StudyOptions& options) {
             throw common::InputError(
                 fmt::format("--references: there is no {}; shlmbench reference {} makes it",
                             plan.reference_of(file).string(), file.string()));
+    check_results("--out", plan.out,
+                  {"study.json", {"report.md", "summary.json"}, {"raw", "charts", "images"}},
+                  inputs_of(plan));
     prepare_output_folder("--out", plan.out);
     return plan;
 }

@@ -9,6 +9,8 @@
 
 #include "bench/app/output_folder.h"
 #include "common/core/input_error.h"
+#include "common/core/output_file.h"
+#include "common/core/standard_streams.h"
 #include "common/difference/error_map.h"
 #include "common/difference/error_metrics.h"
 #include "common/difference/flip.h"
@@ -39,13 +41,7 @@ bool is_same(const common::VisibleSurface& seen, const common::reference::Refere
 }  // namespace
 
 void write_binary(const fs::path& file, const void* values, std::size_t bytes) {
-    const fs::path temporary = file.string() + ".part";
-    std::ofstream out(temporary, std::ios::binary);
-    out.write(static_cast<const char*>(values), static_cast<std::streamsize>(bytes));
-    out.close();
-    std::error_code error;
-    if (out) fs::rename(temporary, file, error);
-    if (!out || error) throw common::InputError(fmt::format("{}: cannot be written", file.string()));
+    common::write_whole_file(file, {static_cast<const std::byte*>(values), bytes});
 }
 
 std::vector<Rgb> read_answers(const fs::path& file, std::size_t points) {
@@ -87,8 +83,8 @@ StudyScene::StudyScene(const fs::path& file, const fs::path& reference_file, con
     const auto note = reference.notes.find("shlmbench:fingerprint");
     same_version_ = note != reference.notes.end() && note->second == fingerprint_;
     if (!same_version_)
-        fmt::print(stderr, "{}: warning: {} was made from another version of the scene\n", name(),
-                   reference_file.string());
+        common::say(fmt::format("{}: warning: {} was made from another version of the scene", name(),
+                                reference_file.string()));
     if (points_.empty())
         throw common::InputError(fmt::format("{}: shows no surface", reference_file.string()));
     const double epsilon = common::relative_epsilon(truth_);

@@ -6,6 +6,7 @@
 #include "bench/app/output_folder.h"
 #include "bench/app/provenance.h"
 #include "common/core/input_error.h"
+#include "common/core/standard_streams.h"
 
 namespace bench {
 namespace {
@@ -41,8 +42,8 @@ StudyTable::StudyTable(const StudyPlan& plan) : file_(plan.out / "study.json") {
     document_["rows"] = earlier.document["rows"];
     for (const Json& row : document_["rows"])
         if (!row.contains("skipped")) present_.insert(key_of(row));
-    fmt::print(stderr, "study: {} rows in {} are of this build and settings and are kept\n", row_count(),
-               file_.string());
+    common::say(fmt::format("study: {} rows in {} are of this build and settings and are kept", row_count(),
+                            file_.string()));
 }
 
 std::vector<Method> StudyTable::missing(const std::string& scene, const std::vector<Method>& methods,

@@ -1,15 +1,30 @@
 #include "common/core/output_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <fstream>
 
 #include "common/core/input_error.h"
 
 namespace common {
+namespace {
 
 namespace fs = std::filesystem;
+
+/// 0 where a file of this name could be made, else what errno says. It is gone again at once.
+int trouble_with_making(const fs::path& file) {
+    const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (descriptor < 0) return errno == EEXIST ? 0 : errno;  // left by a process that had this one's number
+    close(descriptor);
+    unlink(file.c_str());
+    return 0;
+}
+
+}  // namespace
 
 bool is_writable_folder(const fs::path& folder) {
     std::string name = (folder / ".shlmbench-XXXXXX").string();
@@ -20,15 +35,49 @@ bool is_writable_folder(const fs::path& folder) {
     return true;
 }
 
+fs::path temporary_beside(const fs::path& file) {
+    return file.parent_path() /
+           fmt::format(".{}.{}{}", file.stem().string(), getpid(), file.extension().string());
+}
+
 void check_output_file(const std::string& option, const fs::path& file) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
     std::error_code ignored;  // a path that cannot be looked at is no folder either
     if (!fs::is_directory(folder, ignored))
-        throw InputError(fmt::format("{}: there is no folder {}", option, folder.string()));
-    if (!is_writable_folder(folder))
+        throw InputError(
+            fmt::format("{}: {}: there is no folder {}", option, file.string(), folder.string()));
+    if (const int trouble = trouble_with_making(temporary_beside(file)); trouble == ENAMETOOLONG)
+        throw InputError(fmt::format("{}: the name of {} is too long", option, file.string()));
+    else if (trouble != 0)
         throw InputError(fmt::format("{}: {} cannot be written to", option, folder.string()));
     if (fs::is_directory(file, ignored))
         throw InputError(fmt::format("{}: {} is a folder", option, file.string()));
+    if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))
+        throw InputError(fmt::format("{}: {} is no regular file", option, file.string()));
+}
+
+void refuse_input_as_output(const std::string& option, const fs::path& output,
+                            std::span<const fs::path> inputs) {
+    for (const fs::path& input : inputs) {
+        std::error_code one_is_missing;
+        if (fs::equivalent(output, input, one_is_missing) && !one_is_missing)
+            throw InputError(fmt::format("{}: {} would take the place of {}, which is read", option,
+                                         output.string(), input.string()));
+    }
+}
+
+void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
+    const fs::path temporary = temporary_beside(file);
+    std::ofstream out(temporary, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    std::error_code error;
+    if (out) fs::rename(temporary, file, error);
+    if (!out || error) {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+        throw InputError(fmt::format("{}: cannot be written", file.string()));
+    }
 }
 
 }  // namespace common

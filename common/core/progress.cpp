@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "common/core/standard_streams.h"
+
 namespace common {
 
 Progress::Progress(std::string what, std::string unit, std::uint64_t total)
@@ -38,11 +40,13 @@ void Progress::show(std::uint64_t done) {
     if (terminal_) {
         constexpr std::size_t width = 24;
         const auto filled = static_cast<std::size_t>(fraction * width);
-        fmt::print(stderr, "\r\033[K[{}{}] {}", std::string(filled, '#'), std::string(width - filled, '.'),
-                   line);
-        std::fflush(stderr);
+        // Where it cannot be written nobody reads it: the work goes on.
+        std::fputs(fmt::format("\r\033[K[{}{}] {}", std::string(filled, '#'),
+                               std::string(width - filled, '.'), one_line(line))
+                       .c_str(),
+                   stderr);
     } else {
-        fmt::print(stderr, "{}\n", line);
+        say(line);
     }
     drawn_ = true;
 }

@@ -10,10 +10,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An image file and its place, for messages.
+/// An image file's pixels within its picture, and its name for messages.
 struct NamedImage {
     std::string name;
     Image image;
+    PictureWindow window;  ///< of these pixels
 };
 
 using Channels = std::array<std::string, 3>;
@@ -23,11 +24,38 @@ struct Layer {
     Channels channels;
 };
 
+/// What of the window lies in the picture; of no size where nothing does.
+PictureWindow within_picture(const PictureWindow& window) {
+    PictureWindow part = window;
+    part.x = std::max(window.x, 0);
+    part.y = std::max(window.y, 0);
+    part.width = std::min(window.x + window.width, window.picture_width) - part.x;
+    part.height = std::min(window.y + window.height, window.picture_height) - part.y;
+    return part;
+}
+
+/// The pixels of `part`, which lies in `whole`, the window of `image`.
+Image cropped(Image image, const PictureWindow& whole, const PictureWindow& part) {
+    if (part == whole) return image;
+    Image kept{part.width, part.height, image.channels, {}};
+    const std::size_t channels = image.channels.size();
+    for (int y = 0; y < part.height; ++y) {
+        const auto first = static_cast<std::size_t>(y + part.y - whole.y) * image.width + (part.x - whole.x);
+        const auto row = image.values.begin() + static_cast<std::ptrdiff_t>(first * channels);
+        kept.values.insert(kept.values.end(), row, row + static_cast<std::ptrdiff_t>(part.width * channels));
+    }
+    return kept;
+}
+
 NamedImage read(const fs::path& file) {
     if (!holds_linear_values(file))
         throw InputError(
             fmt::format("{}: holds display colours; linear values are compared, as in .exr", file.string()));
-    return {file.string(), read_image(file)};
+    const PictureWindow window = read_window(file), seen = within_picture(window);
+    if (seen.width <= 0 || seen.height <= 0)
+        throw InputError(fmt::format(
+            "{}: no pixel lies in the picture: its data window is beside its display window", file.string()));
+    return {file.string(), cropped(read_image(file), window, seen), seen};
 }
 
 bool has(const Image& image, const Layer& layer) {
@@ -35,10 +63,18 @@ bool has(const Image& image, const Layer& layer) {
                        [&](const std::string& channel) { return image.find_channel(channel).has_value(); });
 }
 
-void check_sizes(const NamedImage& a, const NamedImage& b) {
-    if (a.image.width != b.image.width || a.image.height != b.image.height)
-        throw InputError(fmt::format("{} has {} x {} pixels, {} has {} x {}", a.name, a.image.width,
-                                     a.image.height, b.name, b.image.width, b.image.height));
+/// "8 x 6", or "8 x 6 at (2, 0) of 16 x 6" where that is not all of the picture.
+std::string describe(const PictureWindow& window) {
+    const std::string size = fmt::format("{} x {}", window.width, window.height);
+    if (window.width == window.picture_width && window.height == window.picture_height) return size;
+    return fmt::format("{} at ({}, {}) of {} x {}", size, window.x, window.y, window.picture_width,
+                       window.picture_height);
+}
+
+void check_windows(const NamedImage& a, const NamedImage& b) {
+    if (!(a.window == b.window))
+        throw InputError(fmt::format("{} has {} pixels, {} has {}", a.name, describe(a.window), b.name,
+                                     describe(b.window)));
 }
 
 Layer common_layer(const NamedImage& a, const NamedImage& b) {
@@ -80,7 +116,7 @@ std::string not_finite(const NamedImage& named, const std::vector<Rgb>& pixels,
     if (count == 0) return "";
     const auto width = static_cast<std::size_t>(named.image.width);
     return fmt::format("{}: {} of {} pixels are not finite, the first of them ({}, {})", named.name, count,
-                       pixels.size(), first % width, first / width);
+                       pixels.size(), named.window.x + first % width, named.window.y + first / width);
 }
 
 void check_finite(const std::string& image_trouble, const std::string& reference_trouble) {
@@ -110,9 +146,10 @@ std::optional<std::size_t> coverage_difference(const std::vector<float>& a, cons
 
 ComparableImages load_comparable(const fs::path& image_file, const fs::path& reference_file) {
     const NamedImage image = read(image_file), reference = read(reference_file);
-    check_sizes(image, reference);
+    check_windows(image, reference);
     const Layer layer = common_layer(image, reference);
-    ComparableImages both{layer.name, image.image.width, image.image.height, {}, {}, {}, {}};
+    ComparableImages both{
+        layer.name, image.window.x, image.window.y, image.window.width, image.window.height, {}, {}, {}, {}};
     both.image = pixels_of(image.image, layer);
     both.reference = pixels_of(reference.image, layer);
     const auto image_coverage = coverage_of(image.image), coverage = coverage_of(reference.image);

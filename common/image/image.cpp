@@ -1,13 +1,14 @@
 #include "common/image/image.h"
 
+#include <Imath/half.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "common/core/input_error.h"
+#include "common/core/output_file.h"
 
 namespace common {
 namespace {
@@ -17,8 +18,7 @@ namespace fs = std::filesystem;
 /// Writes with OpenImageIO under a name beside `file`, then renames.
 void write_safely(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
                   const void* values) {
-    const fs::path temporary = file.parent_path() / fmt::format(".{}.{}{}", file.stem().string(), getpid(),
-                                                                file.extension().string());
+    const fs::path temporary = temporary_beside(file);
     const auto fail = [&](const std::string& why) {
         std::error_code ignored;
         fs::remove(temporary, ignored);
@@ -38,6 +38,13 @@ std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& file) {
     auto in = OIIO::ImageInput::open(file.string());
     if (!in) throw InputError(fmt::format("{}: cannot be read: {}", file.string(), OIIO::geterror()));
     return in;
+}
+
+OIIO::ImageSpec png_spec(int width, int height, const char* shows) {
+    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute(shown_note, shows);
+    return spec;
 }
 
 /// sRGB transfer function (IEC 61966-2-1).
@@ -60,11 +67,22 @@ std::optional<std::size_t> Image::find_channel(std::string_view name) const {
     return found - channels.begin();
 }
 
+bool fits_in_halves(const Image& image) {
+    for (std::size_t c = 0; c < image.channels.size(); ++c) {
+        double sum = 0;
+        for (std::size_t p = 0; p < image.pixel_count(); ++p) sum += std::abs(double{image.at(p, c)});
+        const double mean = sum / static_cast<double>(image.pixel_count());
+        for (std::size_t p = 0; p < image.pixel_count(); ++p) {
+            const double value = image.at(p, c), kept = float{Imath::half(image.at(p, c))};
+            // So put, what is not finite does not fit either.
+            if (!(std::abs(kept - value) <= largest_half_loss * std::hypot(value, 0.1 * mean))) return false;
+        }
+    }
+    return true;
+}
+
 void write_exr(const fs::path& file, const Image& image, const ImageNotes& notes, Precision precision) {
-    constexpr float largest_half = 65504;
-    const bool half = precision == Precision::half &&
-                      std::all_of(image.values.begin(), image.values.end(),
-                                  [](float value) { return std::abs(value) <= largest_half; });
+    const bool half = precision == Precision::half && fits_in_halves(image);
     OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()),
                          half ? OIIO::TypeHalf : OIIO::TypeFloat);
     spec.channelnames = image.channels;
@@ -79,19 +97,23 @@ void write_png(const fs::path& file, const Image& image, float exposure) {
     for (std::size_t p = 0; p < image.pixel_count(); ++p)
         for (std::size_t c = 0; c < 3; ++c)
             encoded.push_back(srgb_encoded(rolled_off(image.at(p, c) * exposure)));
-    OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeUInt8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    write_safely(file, spec, OIIO::TypeFloat, encoded.data());
+    write_safely(file, png_spec(image.width, image.height, picture_of_light), OIIO::TypeFloat,
+                 encoded.data());
 }
 
 void write_png(const fs::path& file, int width, int height, std::span<const DisplayColor> colors) {
-    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    write_safely(file, spec, OIIO::TypeUInt8, colors.data());
+    write_safely(file, png_spec(width, height, picture_of_errors), OIIO::TypeUInt8, colors.data());
 }
 
 bool holds_linear_values(const fs::path& file) {
     return open_image(file)->spec().format.is_floating_point();
+}
+
+PictureWindow read_window(const fs::path& file) {
+    const auto in = open_image(file);
+    const OIIO::ImageSpec& spec = in->spec();
+    return {spec.x - spec.full_x, spec.y - spec.full_y, spec.width,
+            spec.height,          spec.full_width,      spec.full_height};
 }
 
 Image read_image(const fs::path& file) {

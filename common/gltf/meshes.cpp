@@ -71,21 +71,25 @@ class InstanceWriter {
     std::vector<std::uint32_t> vertex_of_;
 };
 
-/// Returns how many triangles had no area and were left out.
-std::size_t append_triangles(std::span<const TriangleVertices> triangles, const Attributes& attributes,
-                             Scene& scene) {
+/// What became of triangles.
+struct AppendedTriangles {
+    std::size_t left_out = 0;  ///< had no area
+    Imath::Box3f bounds;       ///< of all, those left out too
+};
+
+void append_triangles(std::span<const TriangleVertices> triangles, const Attributes& attributes, Scene& scene,
+                      AppendedTriangles& appended) {
     InstanceWriter writer(scene, attributes);
-    std::size_t left_out = 0;
     for (const TriangleVertices& corners : triangles) {
         const auto& position = attributes.position;
+        for (const std::uint32_t corner : corners) appended.bounds.extendBy(position[corner]);
         const Vec3 normal = unit_normal(position[corners[0]], position[corners[1]], position[corners[2]]);
         if (normal == Vec3(0)) {
-            ++left_out;
+            ++appended.left_out;
         } else {
             writer.add_triangle(corners, normal);
         }
     }
-    return left_out;
 }
 
 void warn_about_missing_texcoords(const Material& material, const MeshInstance& instance,
@@ -98,10 +102,9 @@ void warn_about_missing_texcoords(const Material& material, const MeshInstance& 
     }
 }
 
-/// Returns how many triangles had no area and were left out.
-std::size_t append_instance(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
-                            const PlacedNode& node, const std::string& name, Scene& scene,
-                            Warnings& warnings) {
+void append_instance(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                     const PlacedNode& node, const std::string& name, Scene& scene, Warnings& warnings,
+                     AppendedTriangles& appended) {
     Attributes attributes = read_attributes(model, primitive);
     const auto vertex_count = static_cast<std::uint32_t>(attributes.position.size());
     std::vector<TriangleVertices> triangles = read_triangles(model, primitive, vertex_count);
@@ -113,13 +116,12 @@ std::size_t append_instance(const tinygltf::Model& model, const tinygltf::Primit
                           0,
                           material_index(scene, primitive.material),
                           {!attributes.texcoord[0].empty(), !attributes.texcoord[1].empty()}};
-    const std::size_t left_out = append_triangles(triangles, attributes, scene);
+    append_triangles(triangles, attributes, scene, appended);
     instance.triangle_count = static_cast<std::uint32_t>(scene.triangle.size()) - instance.first_triangle;
     if (instance.triangle_count > 0) {
         warn_about_missing_texcoords(scene.material[instance.material], instance, warnings);
         scene.instance.push_back(instance);
     }
-    return left_out;
 }
 
 /// Whether there are triangles to read, with a warning where not, and about what they are read without.
@@ -138,9 +140,9 @@ bool is_readable(const tinygltf::Primitive& primitive, const std::string& name, 
 
 }  // namespace
 
-void append_meshes(const tinygltf::Model& model, std::span<const PlacedNode> nodes, Scene& scene,
-                   Warnings& warnings) {
-    std::size_t left_out = 0;
+Imath::Box3f append_meshes(const tinygltf::Model& model, std::span<const PlacedNode> nodes, Scene& scene,
+                           Warnings& warnings) {
+    AppendedTriangles appended;
     for (const PlacedNode& placed : nodes) {
         const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(placed.node)];
         if (node.mesh < 0) continue;
@@ -151,13 +153,15 @@ void append_meshes(const tinygltf::Model& model, std::span<const PlacedNode> nod
             const std::string name = instance_name(model, node, i);
             if (!is_readable(primitives[i], name, warnings)) continue;
             try {
-                left_out += append_instance(model, primitives[i], placed, name, scene, warnings);
+                append_instance(model, primitives[i], placed, name, scene, warnings, appended);
             } catch (const InputError& error) {
                 throw InputError(fmt::format("mesh '{}': {}", name, error.what()));
             }
         }
     }
-    if (left_out > 0) warnings.add("zero-area triangles left out", std::to_string(left_out));
+    if (appended.left_out > 0)
+        warnings.add("zero-area triangles left out", std::to_string(appended.left_out));
+    return appended.bounds;
 }
 
 }  // namespace common::gltf

@@ -11,7 +11,10 @@ namespace {
 
 constexpr const char* format_version = "1";
 
-/// Calls `visit(name, number)` for all of the run's numbers.
+/// Of photons that were not sent, as their light is dark there: left out where there are none.
+constexpr const char* photons_without_light = "photons_without_light";
+
+/// Calls `visit(name, number)` for all of the run's numbers but those.
 template <class Run, class Visit>
 void for_each_number(Run& run, Visit visit) {
     visit("seed", run.identity.seed);
@@ -89,6 +92,8 @@ std::map<std::string, std::string> to_notes(const MapRun& run) {
                                                 {key_of("commit"), run.program}};
     for_each_number(
         run, [&](const char* name, const auto& number) { notes[key_of(name)] = std::to_string(number); });
+    if (run.fates.without_light > 0)
+        notes[key_of(photons_without_light)] = std::to_string(run.fates.without_light);
     return notes;
 }
 
@@ -102,6 +107,8 @@ MapRun map_run_of(const std::map<std::string, std::string>& notes) {
     run.identity.texels_wanted = note(notes, "texels_wanted");
     run.program = note(notes, "commit");
     for_each_number(run, [&](const char* name, auto& number) { parse(name, note(notes, name), number); });
+    if (notes.contains(key_of(photons_without_light)))
+        parse(photons_without_light, note(notes, photons_without_light), run.fates.without_light);
     return run;
 }
 

@@ -62,6 +62,15 @@ TEST_F(Checkpoint, AResumedRunEndsAsAnUninterruptedOne) {
     }
 }
 
+TEST(MapRunNotes, CountPhotonsWithoutLightWhereThereAreAny) {
+    shlm::MapRun run;
+    run.fates = {.emitted = 10, .missed = 1, .escaped = 2, .absorbed = 3, .given_up = 4};
+    EXPECT_FALSE(shlm::to_notes(run).contains("shlmbench:photons_without_light")) << "as files always were";
+    EXPECT_EQ(shlm::map_run_of(shlm::to_notes(run)).fates.without_light, 0u);
+    run.fates.without_light = 5;
+    EXPECT_EQ(shlm::map_run_of(shlm::to_notes(run)).fates.without_light, 5u);
+}
+
 TEST_F(Checkpoint, HoldsWhatTheRunWas) {
     const std::string file = made("map.exr", {"--photons", "5000", "--seed", "7"});
     const shlm::MapRun run = run_in(file);

@@ -379,6 +379,88 @@ TEST_F(Render, LooksWhereItIsTold) {
     EXPECT_EQ(from("0.2,0.2,0.1,0.2,0.2,1,20"), 0.0);
 }
 
+/// A triangle that faces +z, with a bulb named 'bulb' before or behind it.
+GltfFile lit_triangle(double z) {
+    GltfFile file = gltf_text::one_triangle();
+    file.document["extensionsUsed"] = {"KHR_lights_punctual"};
+    file.document["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"name", "bulb"}}};
+    file.document["nodes"].push_back(
+        {{"translation", {0.3, 0.3, z}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    file.document["scenes"][0]["nodes"] = {0, 1};
+    return file;
+}
+
+TEST_F(Render, TellsThatLightFallsOnBacks) {
+    const std::string behind = write(lit_triangle(-0.05));
+    for (const char* method : {"shlm", "photonmap"}) {
+        const Ended ended = run(render(behind, method));
+        EXPECT_EQ(ended.exit_code, 0);
+        EXPECT_NE(ended.err.find("warning: light 'bulb': 100 % of its light"), std::string::npos)
+            << ended.err;
+        EXPECT_NE(ended.err.find("backs of single-sided surfaces"), std::string::npos) << ended.err;
+        EXPECT_EQ(ended.err.find("100 % of the hits are rejected") != std::string::npos,
+                  std::string(method) == "shlm")
+            << ended.err;
+    }
+    for (const Words& words :
+         {Words{"trace", behind, "--hits", "2000", "--json"}, Words{"info", behind, "--json"}}) {
+        const Ended ended = run(words);
+        ASSERT_EQ(ended.exit_code, 0) << ended.err;
+        EXPECT_NE(Json::parse(ended.out)["warnings"].dump().find("'bulb'"), std::string::npos) << ended.out;
+    }
+}
+
+TEST_F(Render, SaysNothingOfLightThatArrives) {
+    expect_success(render(write(lit_triangle(0.05)), "shlm"));
+}
+
+TEST_F(Render, TellsThatLightMissesAll) {
+    const Ended ended = run(render(write(lit_triangle(0.9)), "photonmap"));
+    EXPECT_EQ(ended.exit_code, 0);
+    EXPECT_NE(ended.err.find("'bulb'"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("meets no surface"), std::string::npos) << ended.err;
+}
+
+/// A closed box of the colour that glTF has where nothing is said, white, with a bulb.
+GltfFile white_furnace() {
+    GltfFile file = lit_triangle(0.5);
+    std::vector<float> corners;
+    for (int i = 0; i < 8; ++i)
+        for (int axis = 0; axis < 3; ++axis) corners.push_back(static_cast<float>(i >> axis & 1));
+    const std::vector<std::uint16_t> inwards = {0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3, 0, 4, 5, 0, 5, 1,
+                                                2, 3, 7, 2, 7, 6, 0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5};
+    file.primitive()["attributes"]["POSITION"] = file.add_accessor<float>(corners, gltf_text::f32, "VEC3");
+    file.primitive()["indices"] = file.add_accessor<std::uint16_t>(inwards, gltf_text::u16, "SCALAR");
+    return file;
+}
+
+TEST_F(Render, EndsWhereLightDoesNot) {
+    const std::string scene = write(white_furnace());
+    for (const Words& words :
+         {render(scene, "photonmap"), Words{"reference", scene, "--out", path("reference.exr"), "--spp",
+                                            "128", "--width", "4", "--height", "3"}}) {
+        const Ended ended = run(words);
+        EXPECT_EQ(ended.exit_code, 0) << ended.err;
+        EXPECT_NE(ended.err.find("warning: light does not die out"), std::string::npos) << ended.err;
+    }
+}
+
+TEST_F(Render, LooksWhereItIsToldInMapCoordinates) {
+    GltfFile file = gltf_text::one_triangle();
+    file.node()["translation"] = {500'000.5, 0, -5'600'000.25};
+    const std::string scene = write(file);
+    expect_success(
+        render(scene, "photonmap",
+               {"--sky=1,1,1", "--camera", "500000.7,0.2,-5600000.15,500000.7,0.2,-5600000.25,20"}));
+    EXPECT_EQ(coverage(common::read_image(path("image.exr"))), 1.0);
+
+    const Ended ended = run({"info", scene, "--json"});
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    const Json facts = Json::parse(ended.out);
+    EXPECT_EQ(facts["bounds"][1], Json({500'001.5, 1.0, -5'600'000.25}));
+    EXPECT_NEAR(facts["origin"][2].get<double>(), -5'600'000, 2);
+}
+
 // Ctrl-C.
 
 using Interrupt = Command;

@@ -84,6 +84,8 @@ TEST(Fingerprint, KnowsEverythingThatLightDependsOn) {
         [](Scene& s) { s.spot_light[0].axis.x = 1; },
         [](Scene& s) { s.spot_light[0].cos_inner_angle = 0.95f; },
         [](Scene& s) { s.spot_light[0].cos_outer_angle = 0.7f; },
+        [](Scene& s) { s.spot_light[0].cos_inner_angle = s.spot_light[0].cos_outer_angle = 1 - 1e-9; },
+        [](Scene& s) { s.spot_light[0].cos_inner_angle = s.spot_light[0].cos_outer_angle = 1 - 2e-9; },
         [](Scene& s) { s.directional_light[0].direction.x = 1; },
         [](Scene& s) { s.directional_light[0].irradiance.x = 2; },
         [](Scene& s) { s.sky = common::Sky{Rgb(1, 0, 0)}; },
@@ -102,6 +104,7 @@ TEST(Fingerprint, ForgetsNamesAndCameras) {
     scene.source = "elsewhere.glb";
     scene.material[0].name = "other";
     scene.instance[0].name = "other";
+    scene.point_light[0].name = "other";
     scene.camera.emplace_back();
     EXPECT_EQ(common::fingerprint(scene), common::fingerprint(some_scene()));
 }

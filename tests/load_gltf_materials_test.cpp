@@ -507,18 +507,30 @@ TEST_F(LoadGltfLights, ReadsSpotLights) {
     expect_near(scene.spot_light[0].axis, {0, 1, 0});
     EXPECT_EQ(scene.spot_light[0].position, Vec3(1, 2, 3));
     EXPECT_EQ(scene.spot_light[0].intensity, Rgb(2, 2, 2)) << "white by default";
-    EXPECT_FLOAT_EQ(scene.spot_light[0].cos_inner_angle, std::cos(0.25f));
-    EXPECT_FLOAT_EQ(scene.spot_light[0].cos_outer_angle, std::cos(0.5f));
+    EXPECT_EQ(scene.spot_light[0].cos_inner_angle, static_cast<float>(std::cos(0.25)));
+    EXPECT_EQ(scene.spot_light[0].cos_outer_angle, static_cast<float>(std::cos(0.5)));
 
     scene = load(lit_triangle({{"type", "spot"}, {"spot", Json::object()}}, pose));
     EXPECT_EQ(scene.spot_light[0].intensity, Rgb(1, 1, 1));
-    EXPECT_FLOAT_EQ(scene.spot_light[0].cos_inner_angle, 1);
-    EXPECT_FLOAT_EQ(scene.spot_light[0].cos_outer_angle, std::cos(std::numbers::pi_v<float> / 4));
+    EXPECT_EQ(scene.spot_light[0].cos_inner_angle, 1);
+    EXPECT_EQ(scene.spot_light[0].cos_outer_angle, static_cast<float>(half));
 
     scene = load(
         lit_triangle({{"type", "spot"}, {"spot", {{"innerConeAngle", 2}, {"outerConeAngle", 1}}}}, pose));
     EXPECT_EQ(scene.spot_light[0].cos_inner_angle, scene.spot_light[0].cos_outer_angle);
     EXPECT_TRUE(has_warning(scene, "cone angles"));
+}
+
+TEST_F(LoadGltfLights, KeepsTheDigitsOfNarrowSpots) {
+    for (const double angle : {1e-5, 3e-4, 0.05}) {
+        const Json cones = {{"innerConeAngle", angle / 2}, {"outerConeAngle", angle}};
+        const Scene scene = load(lit_triangle({{"type", "spot"}, {"spot", cones}, {"name", "pointer"}}, {}));
+        const double inner = 1 - scene.spot_light[0].cos_inner_angle,
+                     outer = 1 - scene.spot_light[0].cos_outer_angle;
+        EXPECT_NEAR(outer, angle * angle / 2, 1e-3 * outer);
+        EXPECT_NEAR(inner, outer / 4, 1e-3 * outer);
+        EXPECT_EQ(scene.spot_light[0].name, "light 'pointer'");
+    }
 }
 
 TEST_F(LoadGltfLights, ReadsDirectionalLights) {

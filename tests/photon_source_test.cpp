@@ -69,14 +69,49 @@ TEST(PhotonSource, HasThePowerOfASpotLight) {
     expect_near(PhotonSource(scene).power(), spot.intensity * static_cast<float>(integral), 1e-5);
 }
 
-TEST(PhotonSource, HasThePowerThatCrossesTheBoundingSphere) {
-    const auto disc = static_cast<float>(3 * pi);  // of radius sqrt(3)
+TEST(PhotonSource, HasThePowerThatEntersTheBoundingBox) {
     Scene sunny = dark_box();
     sunny.directional_light.push_back({{0, -1, 0}, Rgb(1, 2, 3)});
-    expect_near(PhotonSource(sunny).power(), Rgb(1, 2, 3) * disc, 1e-6);
+    expect_near(PhotonSource(sunny).power(), Rgb(1, 2, 3) * 4.0f, 1e-6);
+    sunny.directional_light[0].direction = Vec3(1, -1, 0).normalized();
+    expect_near(PhotonSource(sunny).power(), Rgb(1, 2, 3) * static_cast<float>(4 * std::numbers::sqrt2),
+                1e-6);
     Scene cloudy = dark_box();
     cloudy.sky = common::Sky{Rgb(1, 2, 3)};
-    expect_near(PhotonSource(cloudy).power(), Rgb(1, 2, 3) * (disc * static_cast<float>(4 * pi)), 1e-6);
+    expect_near(PhotonSource(cloudy).power(), Rgb(1, 2, 3) * static_cast<float>(24 * pi), 1e-6);
+}
+
+/// A plain with nothing on it.
+Scene plain() {
+    Scene scene;
+    add(scene, quad({-50, 0, 50}, {100, 0, 0}, {0, 0, -100}), diffuse(Rgb(0, 0, 0)));
+    return scene;
+}
+
+TEST(PhotonSource, SunAndSkyOverAPlainMissNothing) {
+    constexpr std::uint64_t photons = count_for(20'000, 4'000);
+    Scene sunny = plain();
+    sunny.directional_light.push_back({Vec3(1, -1, 0.5f).normalized(), Rgb(1, 1, 1)});
+    EXPECT_EQ(record(sunny, 1, {.photons = photons}).report.fates.missed, 0u);
+    Scene cloudy = plain();
+    cloudy.sky = common::Sky{Rgb(1, 1, 1)};
+    EXPECT_EQ(record(cloudy, 1, {.photons = photons}).report.fates.missed, 0u);
+}
+
+TEST(PhotonSource, LightFromAfarGoesTowardsTheScene) {
+    constexpr std::uint64_t seed = 11;
+    Scene scene;
+    add(scene, quad({-0.5f, 0, 0.5f}, {1, 0, 0}, {0, 0, -1}), diffuse(Rgb(0, 0, 0)));
+    scene.point_light.push_back({{0, 1000, 0}, Rgb(1e6f, 2e6f, 0)});
+    const TracedRun run = record(scene, seed, {.photons = photon_count});
+    // The plate has 2 / pi of the disc that its bounding sphere is from there.
+    const auto hits = static_cast<double>(run.hits.size());
+    EXPECT_NEAR(hits / static_cast<double>(photon_count), 2 / pi,
+                z_for(1e-5) * std::sqrt(0.24 / static_cast<double>(photon_count)) + 5e-3)
+        << "seed " << seed;
+    double flux = 0;
+    for (const Rgb& f : run.hits.flux) flux += f.y * run.report.watts_per_flux();
+    EXPECT_NEAR(flux, 2, 2 * z_for(1e-5) / std::sqrt(hits) + 1e-5) << "irradiance 2 on an area of 1";
 }
 
 TEST(PhotonSource, AddsUpAllLights) {
@@ -210,6 +245,124 @@ TEST(PhotonSource, SpotLightsMayHaveASharpEdge) {
         EXPECT_GE(edge[c], 0);
         EXPECT_LE(edge[c], power[c] * 1.000001f);
     }
+}
+
+/// A spot of `degrees` half across, with a ramp that takes `soft` of 1 - cosine.
+common::SpotLight laser(double degrees, double soft) {
+    const double versine = 2 * std::pow(std::sin(degrees * pi / 360), 2);
+    return {{0, 0, 0}, Vec3(1, 2, -2).normalized(), Rgb(3, 2, 1), 1 - (1 - soft) * versine, 1 - versine};
+}
+
+TEST(PhotonSource, NarrowSpotsKeepTheirLight) {
+    constexpr std::uint64_t seed = 12;
+    for (const double degrees : {1e-3, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 3.5})
+        for (const double soft : {0.0, 1e-3, 0.5, 1.0}) {
+            SCOPED_TRACE(testing::Message() << degrees << " degrees, " << soft << ", seed " << seed);
+            Scene scene;
+            scene.spot_light.push_back(laser(degrees, soft));
+            const PhotonSource source(scene);
+            const double versine = 2 * std::pow(std::sin(degrees * pi / 360), 2);
+            const double power = 3 * 2 * pi * versine * (1 - soft + soft / 3);
+            EXPECT_NEAR(source.power().x, power, 1e-5 * power);
+            Sample flux, off_axis_sq;
+            for (std::uint64_t i = 0; i < count_for(10'000, 1'000); ++i) {
+                const EmittedPhoton photon = source.emit(seed, i);
+                flux.add(photon.flux.x);
+                off_axis_sq.add(static_cast<double>((photon.direction - scene.spot_light[0].axis).length2()));
+                ASSERT_NEAR(photon.direction.length(), 1, 1e-6);
+            }
+            EXPECT_NEAR(flux.mean(), power, z_for(1e-6) * flux.standard_error() + 1e-5 * power);
+            // Squared lengths from the axis are twice 1 - cosine, uniform up to the edge; floats blur
+            // directions by 1e-7.
+            EXPECT_NEAR(off_axis_sq.mean(), versine,
+                        z_for(1e-6) * off_axis_sq.standard_error() + 2e-7 * std::sqrt(versine) + 1e-13);
+        }
+}
+
+// --- emissive textures
+
+/// A square of 64 x 64 texels, black but for `white` of them, and a lamp that shows it once or `repeated`.
+Scene lamp_with_texels(const std::vector<std::array<int, 2>>& white, float repeated = 1,
+                       common::Wrap wrap = common::Wrap::repeat) {
+    std::vector<std::uint8_t> pixels(3 * 64 * 64, 0);
+    for (const auto& [x, y] : white)
+        for (int c = 0; c < 3; ++c) pixels[static_cast<std::size_t>(3 * (64 * y + x) + c)] = 255;
+    Material material = diffuse(Rgb(0, 0, 0), Rgb(1, 2, 3));
+    material.emissive_texture = {0, 0};
+    Scene scene = lamp(material);
+    for (Vec2& texcoord : scene.texcoord[0]) texcoord *= repeated;
+    scene.texture.emplace_back("lamp", 64, 64, pixels, common::ColorSpace::srgb, wrap, wrap);
+    return scene;
+}
+
+TEST(EmissiveTexture, PhotonsStartWhereItShines) {
+    constexpr std::uint64_t seed = 13;
+    for (const common::Wrap wrap :
+         {common::Wrap::repeat, common::Wrap::mirrored_repeat, common::Wrap::clamp_to_edge})
+        for (const float repeated : {1.0f, 10.0f, 0.1f}) {
+            SCOPED_TRACE(testing::Message() << "repeated " << repeated << ", seed " << seed);
+            const Scene scene = lamp_with_texels({{3, 2}, {4, 2}, {3, 3}, {4, 3}}, repeated, wrap);
+            const PhotonSource source(scene);
+            Sample flux;
+            std::uint64_t dark = 0;
+            for (std::uint64_t i = 0; i < photon_count; ++i) {
+                const Rgb carried = source.emit(seed, i).flux;
+                flux.add(carried.z);
+                dark += carried == Rgb(0, 0, 0);
+            }
+            // The mean of bilinear texels over whole periods is that of the texels; with clamping a lamp that
+            // shows ten periods has one.
+            const bool clamped = wrap == common::Wrap::clamp_to_edge && repeated > 1;
+            if (repeated >= 1) {
+                const double mean = 4.0 / (64 * 64) / (clamped ? repeated * repeated : 1);
+                EXPECT_NEAR(flux.mean(), 18 * pi * mean,
+                            z_for(1e-5) * flux.standard_error() + 1e-4 * 18 * pi * mean);
+            }
+            EXPECT_LT(static_cast<double>(dark), 0.2 * static_cast<double>(photon_count));
+            const double relative_variance =
+                std::pow(flux.standard_error() / flux.mean(), 2) * static_cast<double>(photon_count);
+            EXPECT_LT(relative_variance, 1.0) << "of a single photon; uniform over the lamp it would be 1000";
+        }
+}
+
+TEST(EmissiveTexture, BlackTrianglesAreNoLights) {
+    const Scene scene = lamp_with_texels({{5, 50}});  // in the quad's second triangle: u < v
+    EXPECT_EQ(PhotonSource(scene).emitters().size(), 1u);
+    EXPECT_THROW(PhotonSource(lamp_with_texels({})), common::InputError);
+}
+
+TEST(EmissiveTexture, OneTexelOfManyIsFound) {
+    constexpr std::uint64_t seed = 14;
+    constexpr int size = 2048;
+    std::vector<std::uint8_t> pixels(3 * size * size, 0);
+    for (int c = 0; c < 3; ++c) pixels[static_cast<std::size_t>(3 * (size * 777 + 1234) + c)] = 255;
+    Material material = diffuse(Rgb(0, 0, 0), Rgb(1, 1, 1));
+    material.emissive_texture = {0, 0};
+    Scene scene = lamp(material);
+    scene.texture.emplace_back("lamp", size, size, pixels, common::ColorSpace::srgb, common::Wrap::repeat,
+                               common::Wrap::repeat);
+    const PhotonSource source(scene);
+    Sample flux;
+    for (std::uint64_t i = 0; i < count_for(100'000, 5'000); ++i) flux.add(source.emit(seed, i).flux.x);
+    const double expected = 6 * pi / (static_cast<double>(size) * size);
+    EXPECT_NEAR(flux.mean(), expected, z_for(1e-5) * flux.standard_error()) << "seed " << seed;
+    EXPECT_LT(flux.standard_error(), 0.02 * expected);
+}
+
+TEST(EmissiveTexture, PhotonsWithoutLightAreNoHits) {
+    // Texels of one colour in a light of another: their cells keep a small chance.
+    std::vector<std::uint8_t> pixels = {255, 0, 0, 0, 255, 0};
+    Material material = diffuse(Rgb(0, 0, 0), Rgb(1, 0, 0));
+    material.emissive_texture = {0, 0};
+    Scene scene = closed_box(diffuse(Rgb(0.5f, 0.5f, 0.5f)), {-5, -5, -5}, {5, 5, 5});
+    add(scene, quad({0, 0, 0}, {2, 0, 0}, {0, 3, 0}), material);
+    scene.texture.emplace_back("red, green", 2, 1, pixels, common::ColorSpace::linear,
+                               common::Wrap::clamp_to_edge, common::Wrap::clamp_to_edge);
+    scene.point_light.push_back({{1, 1, 1}, Rgb(1, 1, 1)});
+    const TracedRun run = record(scene, 15, {.photons = 4096});
+    EXPECT_GT(run.report.fates.without_light, 0u);
+    EXPECT_EQ(run.report.fates.emitted, 4096u);
+    for (const Rgb& flux : run.hits.flux) ASSERT_GT(flux.x + flux.y + flux.z, 0);
 }
 
 TEST(PhotonSource, AreaLightsFollowTheCosineLaw) {

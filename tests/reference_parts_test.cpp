@@ -298,6 +298,47 @@ TEST(ReferenceLights, AreChosenWithTheProbabilityThatIsSaid) {
     }
 }
 
+TEST(ReferenceLights, NarrowSpotsFallOffByTheirAngle) {
+    for (const double degrees : {1e-3, 0.02, 0.3, 3.5}) {
+        const double angle = degrees * pi / 180, versine = 2 * std::pow(std::sin(angle / 2), 2);
+        // The ramp takes the outer half of 1 - cosine.
+        const common::SpotLight spot{{0, 0, 0}, Vec3(0, 0, -1), Rgb(1, 1, 1), 1 - versine / 2, 1 - versine};
+        const auto at = [&](double share) {  // of the outer 1 - cosine
+            const double off_axis = 2 * std::asin(std::sqrt(share * versine / 2));
+            return falloff(spot, {std::sin(off_axis), 0, -std::cos(off_axis)});
+        };
+        EXPECT_EQ(at(0), 1);
+        EXPECT_EQ(at(0.49), 1);
+        EXPECT_NEAR(at(0.75), 0.25, 1e-5);
+        EXPECT_EQ(at(1.01), 0);
+        EXPECT_NEAR(power_of(Light(spot), 1), 2 * pi * versine * (0.5 + 0.5 / 3), 1e-5 * versine);
+    }
+    const common::SpotLight sharp{{0, 0, 0}, Vec3(0, 0, -1), Rgb(1, 1, 1), 1 - 1e-9, 1 - 1e-9};
+    EXPECT_EQ(falloff(sharp, {4e-5, 0, -1}), 1);
+    EXPECT_EQ(falloff(sharp, {5e-5, 0, -1}), 0);
+}
+
+TEST(ReferenceLights, PlacesAreChosenByWhatTheyEmit) {
+    constexpr int across = 3;
+    const std::vector<double> cell = {1, 0, 2, 0, 0, 0, 5, 0.5, 1.5};
+    const BrightPlaces places(across, cell);
+    std::vector<std::uint64_t> counts(cell.size());
+    std::mt19937 engine(1);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (std::uint64_t i = 0; i < draws; ++i) {
+        const auto [u, v] = places.place({uniform(engine), uniform(engine)});
+        const auto number =
+            static_cast<std::size_t>(static_cast<int>(v * across) * across + static_cast<int>(u * across));
+        ASSERT_LT(number, cell.size());
+        ++counts[number];
+        ASSERT_DOUBLE_EQ(places.density({u, v}), cell[number] / 10 * 9);
+    }
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+        const double p = cell[i] / 10, expected = p * static_cast<double>(draws);
+        EXPECT_NEAR(static_cast<double>(counts[i]), expected, z_for(1e-6) * std::sqrt(expected * (1 - p)));
+    }
+}
+
 TEST(ReferenceLights, NoneIsChosenWhereNoneShines) {
     Scene scene;
     add(scene, quad({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}), diffuse(Rgb(0, 0, 0)));

@@ -137,6 +137,36 @@ TEST(ReferencePanel, WithATextureShinesAsTheTextureSays) {
     expect_irradiance(trace_reference(scene, points, seed, passes), expected);
 }
 
+TEST(ReferencePanel, WithASmallBrightSpotIsNoNoisierThanTheSpot) {
+    // Two texels of 64 each way are bright, with black around them; clamping keeps the edges' halves.
+    std::vector<std::uint8_t> pixels(3 * 64 * 64, 0);
+    for (const int texel : {64 * 20 + 40, 64 * 20 + 41, 64 * 21 + 40, 64 * 21 + 41})
+        for (int c = 0; c < 3; ++c) pixels[static_cast<std::size_t>(3 * texel + c)] = 255;
+    Material textured = panel(1000);
+    textured.emissive_texture = {0, 0};
+    Scene scene;
+    add(scene, floor_mesh(), black);
+    add(scene, quad({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}), textured);
+    scene.texture.emplace_back("spot", 64, 64, pixels, common::ColorSpace::linear, common::Wrap::repeat,
+                               common::Wrap::repeat);
+    Scene twin;
+    add(twin, floor_mesh(), black);
+    const float texel = 2.0f / 64;
+    add(twin, quad({-1 + 40 * texel, 1, -1 + 20 * texel}, {2 * texel, 0, 0}, {0, 0, 2 * texel}), panel(1000));
+
+    const std::initializer_list<Vec2> places = {{0.3f, -0.3f}, {-1, 1}, {1.5f, 0}};
+    const ReferenceSums sums = trace_reference(scene, on_floor(scene, places), seed, passes),
+                        of_twin = trace_reference(twin, on_floor(twin, places), seed, passes);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double noise = std::sqrt(variance(sums, i, 0)), expected = estimate(of_twin, i, 0);
+        // The twin's edges are sharp; seen from a metre that is a thousandth.
+        EXPECT_NEAR(estimate(sums, i, 0), expected,
+                    t_for(1e-6, static_cast<int>(passes) - 1) * noise + 2e-3 * expected);
+        // Uniform places would have, with one sample in a thousand on the spot, 32 times the value in each.
+        EXPECT_LT(noise * std::sqrt(64.0 * static_cast<double>(passes)), 1.5 * expected);
+    }
+}
+
 // --- lights without size: one sample is exact, and so is the mean
 
 TEST(ReferenceLamp, FallsOffWithTheSquareOfTheDistance) {

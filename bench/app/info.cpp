@@ -8,6 +8,8 @@
 #include "bench/app/memory_need.h"
 #include "bench/app/methods.h"
 #include "common/core/standard_streams.h"
+#include "bench/app/warnings.h"
+#include "common/core/input_error.h"
 
 namespace bench {
 namespace {
@@ -66,6 +68,15 @@ Json texel_facts(PreparedMethods& prepared) {
             {"mean_width", covered == 0 ? 0.0 : std::sqrt(area / static_cast<double>(covered))}};
 }
 
+/// Nothing for a scene without light, which is no trouble here.
+std::vector<std::string> trouble_with_light(const common::RayScene& rays) {
+    try {
+        return light_trouble(common::PhotonSource(rays));
+    } catch (const common::InputError&) {
+        return {};
+    }
+}
+
 Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
     const common::Scene& scene = loaded.scene;
     std::size_t emitting = 0;
@@ -75,15 +86,19 @@ Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
     std::array<std::size_t, 4> kinds = {0, 0, 0, 0};
     for (const common::Material& material : scene.material) ++kinds[static_cast<std::size_t>(material.kind)];
     std::vector<std::string> warnings = scene.warnings;
+    const std::vector<std::string> light = trouble_with_light(loaded.rays);
+    warnings.insert(warnings.end(), light.begin(), light.end());
     warnings.insert(warnings.end(), prepared.lightmap_trouble().begin(), prepared.lightmap_trouble().end());
+    const Imath::V3d low = scene.origin + Imath::V3d(scene.bounds.min),
+                     high = scene.origin + Imath::V3d(scene.bounds.max),
+                     eye = scene.origin + Imath::V3d(loaded.camera.eye);
     return {{"scene", loaded.name},
             {"file", scene.source},
             {"triangles", scene.triangle.size()},
             {"instances", scene.instance.size()},
             {"area", area},
-            {"bounds",
-             {{scene.bounds.min.x, scene.bounds.min.y, scene.bounds.min.z},
-              {scene.bounds.max.x, scene.bounds.max.y, scene.bounds.max.z}}},
+            {"origin", {scene.origin.x, scene.origin.y, scene.origin.z}},
+            {"bounds", {{low.x, low.y, low.z}, {high.x, high.y, high.z}}},
             {"materials",
              {{"diffuse", kinds[0]},
               {"mirror", kinds[1]},
@@ -99,7 +114,7 @@ Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
             {"cameras", scene.camera.size()},
             {"camera",
              {{"name", loaded.camera.name},
-              {"eye", {loaded.camera.eye.x, loaded.camera.eye.y, loaded.camera.eye.z}},
+              {"eye", {eye.x, eye.y, eye.z}},
               {"forward", {loaded.camera.forward.x, loaded.camera.forward.y, loaded.camera.forward.z}}}},
             {"lightmap_uv", lightmap_facts(prepared)},
             {"texels", texel_facts(prepared)},

@@ -33,9 +33,8 @@ struct ReferenceOptions {
     int width = 128, height = 72;
 };
 
-/// Throws InputError where there is nothing to be seen or no light to see it by.
+/// Throws InputError where there is nothing to be seen.
 void require_something_to_measure(const LoadedScene& loaded, const ReferenceRun& run) {
-    (void)common::PhotonSource(loaded.scene);
     if (std::none_of(run.pixels.begin(), run.pixels.end(), [](const auto& pixel) { return pixel.present; }))
         throw InputError(loaded.scene.source +
                          ": the camera sees no diffuse surface; give another with --camera");
@@ -49,10 +48,13 @@ void run(const ReferenceOptions& options) {
     common::ThreadPool pool(options.run.thread_count());
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
-        const ReferenceRun run(loaded, options.run.seed, options.out, options.width, options.height);
+        const common::PhotonSource source(loaded.rays);  // refuses scenes without light
+        const ReferenceRun run(loaded, source, options.run.seed, options.out, options.width, options.height);
         require_something_to_measure(loaded, run);
         std::optional<reference::ReferenceSums> before = reference::sums_to_go_on_from(run.out, run.identity);
         print_scene_warnings(loaded);
+        if (const std::string endless = endless_light(source); !endless.empty())
+            print_warning(loaded, endless);
         if (const std::string lost = reference::paths_not_found(loaded.scene); !lost.empty())
             print_warning(loaded, "not in the reference: " + lost);
         if (before) common::say(fmt::format("going on from {}", describe(run, *before)));

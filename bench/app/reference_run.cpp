@@ -17,13 +17,14 @@ namespace bench {
 namespace reference = common::reference;
 using reference::samples_per_pass;
 
-ReferenceRun::ReferenceRun(const LoadedScene& scene, std::uint64_t seed, const std::filesystem::path& file,
-                           int width, int height)
+ReferenceRun::ReferenceRun(const LoadedScene& scene, const common::PhotonSource& source, std::uint64_t seed,
+                           const std::filesystem::path& file, int width, int height)
     : loaded(scene),
       out(file),
       identity{common::fingerprint(scene.scene), seed, width, height, reference::describe(scene.camera)},
       pixels(common::visible_surfaces(scene.rays, scene.camera, width, height)),
-      lights(scene.scene) {}
+      lights(scene.scene),
+      most_surfaces(static_cast<int>(source.most_events())) {}
 
 bool sample(const ReferenceRun& run, const ReferenceTarget& target, reference::ReferenceSums& sums) {
     using Clock = std::chrono::steady_clock;
@@ -40,8 +41,8 @@ bool sample(const ReferenceRun& run, const ReferenceTarget& target, reference::R
             progress.show(paths(sums.passes - passes_before) + pixels_done * samples_per_pass);
             return !common::interrupted();
         };
-        if (!reference::add_pass(run.loaded.rays, run.lights, run.pixels, run.identity.seed, sums,
-                                 keep_going))
+        if (!reference::add_pass(run.loaded.rays, run.lights, run.pixels, run.identity.seed, sums, keep_going,
+                                 run.most_surfaces))
             return false;
         if (sums.passes >= fewest_passes && Clock::now() - saved > between_saves) {
             write(run, sums);
@@ -56,6 +57,8 @@ void write(const ReferenceRun& run, const reference::ReferenceSums& sums) {
     const std::string lost = reference::paths_not_found(run.loaded.scene);
     notes["shlmbench:scene"] = run.loaded.name;
     notes["shlmbench:method"] = "reference";
+    if (const Imath::V3d& origin = run.loaded.scene.origin; origin != Imath::V3d(0))
+        notes["shlmbench:origin"] = fmt::format("{} {} {}", origin.x, origin.y, origin.z);
     notes["shlmbench:samples_per_pixel"] = std::to_string(sums.passes * samples_per_pass);
     notes["shlmbench:relative_error"] = fmt::format("{:.6g}", reference::relative_error(run.pixels, sums));
     notes[reference::paths_not_found_note] = lost.empty() ? "none" : lost;

@@ -16,9 +16,10 @@ struct ReferenceRun {
     common::reference::ReferenceIdentity identity;
     std::vector<common::VisibleSurface> pixels;
     common::reference::Lights lights;
+    int most_surfaces;  ///< on a path, as the photon tracer has it
 
-    ReferenceRun(const LoadedScene& scene, std::uint64_t seed, const std::filesystem::path& file, int width,
-                 int height);
+    ReferenceRun(const LoadedScene& scene, const common::PhotonSource& source, std::uint64_t seed,
+                 const std::filesystem::path& file, int width, int height);
 };
 
 /// Adds passes until the target is reached or the user stops it, and saves every minute or so. Returns

@@ -141,16 +141,19 @@ void run(const RenderOptions& options) {
     common::ThreadPool pool(options.run.thread_count());
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
-        const common::PhotonSource source(loaded.scene);
+        const common::PhotonSource source(loaded.rays);
         PreparedMethods prepared(loaded, plan.settings);
         const ShlmMethod* light_map = plan.method.light_map();
         if (light_map)
             (void)prepared.texels_of(*light_map);  // what cannot be done is said before what is doubtful
         print_scene_warnings(loaded);
+        print_light_warnings(loaded, source);
         if (light_map) print_lightmap_warnings(loaded, prepared);
         const Rendering made = options.map.empty() ? trace_and_gather(plan, loaded, source, prepared)
                                                    : gather_from_file(plan, loaded, source, prepared);
         stop_if_interrupted();
+        for (const std::string& line : run_trouble(made.trace, made.rejected, source))
+            print_warning(loaded, line);
 
         common::ImageNotes notes = provenance_notes();
         notes["shlmbench:scene"] = loaded.name;

@@ -43,18 +43,39 @@ Scene load_with_lights(const std::string& file, const SceneOptions& options) {
         if (towards.length() == 0)
             throw InputError("--sun: X,Y,Z is the direction to the sun and cannot be 0,0,0");
         if (std::min({n[3], n[4], n[5]}) < 0) throw InputError("--sun: irradiance cannot be negative");
-        scene.directional_light.push_back({-towards.normalized(), {n[3], n[4], n[5]}});
+        scene.directional_light.push_back({-towards.normalized(), {n[3], n[4], n[5]}, "the sun"});
     }
     return scene;
 }
 
+/// As parse_numbers.
+std::vector<double> parse_doubles(const std::string& option, const std::string& text, std::size_t count) {
+    std::vector<double> numbers;
+    std::string_view rest = text;
+    while (true) {
+        const double number = take_number(option, rest);
+        if (std::abs(number) > std::numeric_limits<float>::max())
+            throw InputError(fmt::format("{}: '{}' has a number that is too large", option, text));
+        numbers.push_back(number);
+        if (rest.empty()) break;
+        if (rest.front() != ',')
+            throw InputError(fmt::format("{}: numbers are separated by commas in '{}'", option, text));
+        rest.remove_prefix(1);
+    }
+    if (numbers.size() != count)
+        throw InputError(
+            fmt::format("{}: {} numbers are needed, '{}' has {}", option, count, text, numbers.size()));
+    return numbers;
+}
+
 common::Camera choose_camera(const common::RayScene& rays, const SceneOptions& options) {
     if (!options.camera.empty()) {
-        const auto n = parse_numbers("--camera", options.camera, 7);
+        const auto n = parse_doubles("--camera", options.camera, 7);
         if (!(n[6] > 0 && n[6] < 180)) throw InputError("--camera: FOV must be between 0 and 180 degrees");
-        const Vec3 eye(n[0], n[1], n[2]), target(n[3], n[4], n[5]);
+        const Imath::V3d& origin = rays.scene().origin;
+        const Vec3 eye(Imath::V3d(n[0], n[1], n[2]) - origin), target(Imath::V3d(n[3], n[4], n[5]) - origin);
         if (eye == target) throw InputError("--camera: EYE and TARGET are the same point");
-        return common::look_at(eye, target, n[6] * std::numbers::pi_v<float> / 180);
+        return common::look_at(eye, target, static_cast<float>(n[6]) * std::numbers::pi_v<float> / 180);
     }
     const auto& cameras = rays.scene().camera;
     return cameras.empty() ? common::place_camera(rays) : cameras.front();
@@ -76,22 +97,11 @@ LoadedScene::LoadedScene(const std::string& file, const SceneOptions& options)
       camera(choose_camera(rays, options)) {}
 
 std::vector<float> parse_numbers(const std::string& option, const std::string& text, std::size_t count) {
-    std::vector<float> numbers;
-    std::string_view rest = text;
-    while (true) {
-        const double number = take_number(option, rest);
-        if (std::abs(number) > std::numeric_limits<float>::max())
-            throw InputError(fmt::format("{}: '{}' has a number that is too large", option, text));
-        numbers.push_back(static_cast<float>(number));
-        if (rest.empty()) break;
-        if (rest.front() != ',')
-            throw InputError(fmt::format("{}: numbers are separated by commas in '{}'", option, text));
-        rest.remove_prefix(1);
-    }
-    if (numbers.size() != count)
-        throw InputError(
-            fmt::format("{}: {} numbers are needed, '{}' has {}", option, count, text, numbers.size()));
-    return numbers;
+    const std::vector<double> numbers = parse_doubles(option, text, count);
+    std::vector<float> floats(numbers.size());
+    std::transform(numbers.begin(), numbers.end(), floats.begin(),
+                   [](double number) { return static_cast<float>(number); });
+    return floats;
 }
 
 std::uint64_t parse_count(const std::string& option, const std::string& text) {

@@ -227,7 +227,7 @@ void run(const TraceOptions& options) {
     common::ThreadPool pool(options.run.thread_count());
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
-        const common::PhotonSource source(loaded.scene);
+        const common::PhotonSource source(loaded.rays);
         PreparedMethods prepared(loaded, plan.settings);
         const ShlmMethod& light_map = *plan.method.light_map();
         const shlm::PreparedTexels& texels = prepared.texels_of(light_map);
@@ -235,6 +235,7 @@ void run(const TraceOptions& options) {
         with_model(light_map, [&](auto model) {
             MapTrace<decltype(model)> traced(plan, identity, texels, source);
             print_scene_warnings(loaded);
+            print_light_warnings(loaded, source);
             print_lightmap_warnings(loaded, prepared);
             if (!options.resume.empty() && traced.run().program != build_commit)
                 print_warning(loaded, fmt::format("{} was written by version {}, this is {}", options.resume,
@@ -242,7 +243,17 @@ void run(const TraceOptions& options) {
             const common::Stopwatch watch;
             const common::TraceReport report = traced.trace(loaded, source);
             if (report.interrupted) end_interrupted(plan, report);
-            const Json all = summary(plan, loaded, traced, report, watch.seconds());
+            Json all = summary(plan, loaded, traced, report, watch.seconds());
+            std::vector<std::string> warnings = loaded.scene.warnings;
+            const auto add = [&](const std::vector<std::string>& lines) {
+                warnings.insert(warnings.end(), lines.begin(), lines.end());
+            };
+            add(light_trouble(source));
+            add(prepared.lightmap_trouble());
+            const std::vector<std::string> of_run = run_trouble(report, traced.sink().rejected(), source);
+            add(of_run);
+            all["warnings"] = warnings;
+            for (const std::string& line : of_run) print_warning(loaded, line);
             if (options.json)
                 common::print_result(fmt::format(
                     "{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace)));  // odd file names

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "bench/app/methods.h"
+#include "common/estimator/irradiance_estimator.h"
+#include "common/tracer/trace_report.h"
 
 namespace bench {
 
@@ -11,6 +14,21 @@ void print_warning(const LoadedScene& scene, const std::string& text);
 
 /// What its file asks for and does not get.
 void print_scene_warnings(const LoadedScene& scene);
+
+/// What becomes of its light: light_trouble.
+void print_light_warnings(const LoadedScene& scene, const common::PhotonSource& source);
+
+/// Lights most of whose light no surface gets, or the backs of surfaces only, and light that does not end: by
+/// the source's pilot.
+[[nodiscard]] std::vector<std::string> light_trouble(const common::PhotonSource& source);
+
+/// That light does not end; empty where it does.
+[[nodiscard]] std::string endless_light(const common::PhotonSource& source);
+
+/// Hits that found no place in the map, where most did not, and photons that were given up.
+[[nodiscard]] std::vector<std::string> run_trouble(const common::TraceReport& trace,
+                                                   const common::RejectedHits& rejected,
+                                                   const common::PhotonSource& source);
 
 /// What stands in the way of light maps.
 void print_lightmap_warnings(const LoadedScene& scene, const PreparedMethods& prepared);

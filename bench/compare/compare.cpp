@@ -74,10 +74,11 @@ void draw(const ComparePlan& plan, const CompareScene& scene, const std::vector<
 /// False where the user ended it.
 bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable& table) {
     const LoadedScene loaded(file, plan.scene);
-    const common::PhotonSource source(loaded.scene);
+    const common::PhotonSource source(loaded.rays);
     const QueryPoints queries = visible_query_points(loaded, plan.seed);
     PreparedMethods prepared(loaded, plan.settings);
     print_scene_warnings(loaded);
+    print_light_warnings(loaded, source);
     print_lightmap_warnings(loaded, prepared);
     const CompareScene scene{loaded, source, queries, prepared, common::fingerprint(loaded.scene)};
     table.keep_one_version_of(loaded.name, scene.fingerprint);
@@ -104,7 +105,7 @@ bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable
 void check_scenes(const ComparePlan& plan) {
     for (const std::string& file : std::span(plan.files).subspan(1)) {
         const LoadedScene loaded(file, plan.scene);
-        const common::PhotonSource source(loaded.scene);
+        const common::PhotonSource source(loaded.rays);
         (void)visible_query_points(loaded, plan.seed);
     }
 }

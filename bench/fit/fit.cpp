@@ -83,6 +83,7 @@ void say(const FitPlan& plan, const fit::FitGoal& goal, const FitDocuments& docu
 void fit_all(const FitPlan& plan, const LoadedScene& loaded, const common::PhotonSource& source,
              PreparedMethods& prepared, StudyScene* with_reference, bool as_json) {
     print_scene_warnings(loaded);
+    print_light_warnings(loaded, source);
     print_lightmap_warnings(loaded, prepared);
     const fit::FitPoints points = fit::find_fit_points(loaded);
     const FitScene scene{{loaded, source, prepared, points, plan.seed, plan.max_bytes}, with_reference};
@@ -96,7 +97,7 @@ void fit_all(const FitPlan& plan, bool as_json) {
         return fit_all(plan, scene.loaded(), scene.source(), scene.prepared(), &scene, as_json);
     }
     const LoadedScene loaded(plan.file, plan.scene);
-    const common::PhotonSource source(loaded.scene);
+    const common::PhotonSource source(loaded.rays);
     PreparedMethods prepared(loaded, plan.settings);
     fit_all(plan, loaded, source, prepared, nullptr, as_json);
 }

@@ -94,10 +94,11 @@ void run(const LimitOptions& options) {
     common::ThreadPool pool(threads);
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
-        const common::PhotonSource source(loaded.scene);
+        const common::PhotonSource source(loaded.rays);
         PreparedMethods prepared(loaded, plan.settings);
         (void)prepared.texels_of(*plan.light_map.light_map());  // no clock must see this
         print_scene_warnings(loaded);
+        print_light_warnings(loaded, source);
         print_lightmap_warnings(loaded, prepared);
 
         RecordedRun recorded = record(plan, loaded, source);

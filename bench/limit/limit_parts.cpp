@@ -57,7 +57,8 @@ double measure(LimitPart part, const LimitSubject& subject) {
 
 bool same_run(const common::TraceReport& a, const common::TraceReport& b) {
     return a.hits == b.hits && a.fates.missed == b.fates.missed && a.fates.escaped == b.fates.escaped &&
-           a.fates.absorbed == b.fates.absorbed && a.fates.given_up == b.fates.given_up;
+           a.fates.absorbed == b.fates.absorbed && a.fates.given_up == b.fates.given_up &&
+           a.fates.without_light == b.fates.without_light;
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ PhotonFate follow(const common::RayScene& rays, const common::PhotonSource& sour
     const common::EmittedPhoton emitted = source.emit(seed, photon);
     Vec3 origin = rays.off_surface(emitted.origin, emitted.normal), direction = emitted.direction;
     common::Rgb flux = emitted.flux;
-    for (std::uint32_t event = 0; event < common::max_events; ++event) {
+    if (flux == common::Rgb(0, 0, 0)) return PhotonFate::without_light;
+    for (std::uint32_t event = 0; event < source.most_events(); ++event) {
         run.add(origin, direction);
         const auto met = rays.nearest(origin, direction);
         if (!met) return event == 0 ? PhotonFate::missed : PhotonFate::escaped;
@@ -71,7 +72,7 @@ RecordedRun record_run(const common::RayScene& rays, const common::PhotonSource&
         check_size(run, max_bytes);
         if (!progress(run)) break;
     }
-    run.blocks.back().resize(run.rays - (run.blocks.size() - 1) * rays_per_block);
+    if (!run.blocks.empty()) run.blocks.back().resize(run.rays - (run.blocks.size() - 1) * rays_per_block);
     return run;
 }
 

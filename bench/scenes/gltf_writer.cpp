@@ -214,8 +214,8 @@ void add_lights(const SceneDescription& scene, tinygltf::Model& model) {
         add_light(make_light("point", model.lights.size(), in.intensity), translated(in.position), model);
     for (const common::SpotLight& in : scene.spot_light) {
         tinygltf::Light light = make_light("spot", model.lights.size(), in.intensity);
-        light.spot.innerConeAngle = std::acos(in.cos_inner_angle);
-        light.spot.outerConeAngle = std::acos(in.cos_outer_angle);
+        light.spot.innerConeAngle = std::acos(static_cast<float>(in.cos_inner_angle));
+        light.spot.outerConeAngle = std::acos(static_cast<float>(in.cos_outer_angle));
         add_light(light, looking_along(in.position, in.axis, any_perpendicular(in.axis)), model);
     }
 }

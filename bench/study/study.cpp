@@ -54,6 +54,7 @@ bool study_scene(const StudyPlan& plan, const std::filesystem::path& file, std::
     if (!table.is_missing_any(file.stem().string(), plan.methods, hits, plan.seeds)) return true;
     StudyScene scene(file, plan);
     print_scene_warnings(scene.loaded());
+    print_light_warnings(scene.loaded(), scene.source());
     print_lightmap_warnings(scene.loaded(), scene.prepared());
     table.describe_scene(scene.name(), scene.facts());
     warm_up(plan, scene);

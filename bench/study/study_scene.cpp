@@ -56,7 +56,7 @@ std::vector<Rgb> read_answers(const fs::path& file, std::size_t points) {
 StudyScene::StudyScene(const fs::path& file, const fs::path& reference_file, const SceneOptions& options,
                        const MethodSettings& settings)
     : loaded_(file.string(), options),
-      source_(loaded_.scene),
+      source_(loaded_.rays),
       prepared_(loaded_, settings),
       fingerprint_(common::fingerprint(loaded_.scene)) {
     const auto reference = common::reference::read_reference(reference_file);

@@ -24,14 +24,25 @@ Rgb strength(const tinygltf::Light& light, const std::string& where) {
     return color;
 }
 
+/// By way of memory: GCC 12 leaves out what takes two doubles to floats and back at once.
+double nearest_float(double value) {
+    volatile float rounded = static_cast<float>(value);
+    return rounded;
+}
+
 SpotLight spot_light(const tinygltf::Light& light, const Vec3& position, const Vec3& axis,
                      const std::string& where, Warnings& warnings) {
     const double outer = std::clamp(light.spot.outerConeAngle, 0.0, std::numbers::pi / 2);
     const double inner = std::clamp(light.spot.innerConeAngle, 0.0, outer);
     if (outer != light.spot.outerConeAngle || inner != light.spot.innerConeAngle)
         warnings.add("cone angles clamped to 0 <= inner <= outer <= pi/2", where);
-    return {position, axis, strength(light, where), static_cast<float>(std::cos(inner)),
-            static_cast<float>(std::cos(outer))};
+    SpotLight spot{position,        axis,           strength(light, where),
+                   std::cos(inner), std::cos(outer), one_line(where)};
+    if (!spot.is_narrow()) {  // floats do, and maps and references made with them go on to the bit
+        spot.cos_inner_angle = nearest_float(spot.cos_inner_angle);
+        spot.cos_outer_angle = nearest_float(spot.cos_outer_angle);
+    }
+    return spot;
 }
 
 void append_light(const tinygltf::Light& light, const PlacedNode& node, const std::string& where,
@@ -48,9 +59,9 @@ void append_light(const tinygltf::Light& light, const PlacedNode& node, const st
     if (is_spot) {
         scene.spot_light.push_back(spot_light(light, node.origin(), *direction, where, warnings));
     } else if (light.type == "point") {
-        scene.point_light.push_back({node.origin(), strength(light, where)});
+        scene.point_light.push_back({node.origin(), strength(light, where), one_line(where)});
     } else {
-        scene.directional_light.push_back({*direction, strength(light, where)});
+        scene.directional_light.push_back({*direction, strength(light, where), one_line(where)});
     }
 }
 

@@ -7,6 +7,7 @@
 #include "common/core/input_error.h"
 #include "common/gltf/cameras.h"
 #include "common/gltf/document.h"
+#include "common/gltf/far_places.h"
 #include "common/gltf/lights.h"
 #include "common/gltf/materials.h"
 #include "common/gltf/meshes.h"
@@ -16,18 +17,37 @@
 namespace common {
 namespace {
 
+/// Where they lie far from the origin, once more with another one, and the nodes moved there: doubles say
+/// where nodes are, and only what is stored are floats.
+void append_meshes_near_origin(const tinygltf::Model& model, std::vector<gltf::PlacedNode>& nodes,
+                               Scene& scene, gltf::Warnings& warnings) {
+    const gltf::Warnings before = warnings;
+    const Imath::V3d origin = gltf::origin_for(gltf::append_meshes(model, nodes, scene, warnings));
+    if (origin == Imath::V3d(0)) return;
+    Scene moved;
+    moved.source = scene.source;
+    moved.material = std::move(scene.material);
+    moved.texture = std::move(scene.texture);
+    moved.origin = origin;
+    scene = std::move(moved);
+    warnings = before;
+    gltf::move_origin(origin, nodes);
+    (void)gltf::append_meshes(model, nodes, scene, warnings);
+}
+
 Scene read_scene(const std::filesystem::path& file) {
     gltf::Warnings warnings;
     const tinygltf::Model model = gltf::read_document(file, warnings);
-    const std::vector<gltf::PlacedNode> nodes = gltf::place_nodes(model);
+    std::vector<gltf::PlacedNode> nodes = gltf::place_nodes(model);
 
     Scene scene;
     scene.source = file.string();
     gltf::append_materials(model, scene, warnings);
-    gltf::append_meshes(model, nodes, scene, warnings);
+    append_meshes_near_origin(model, nodes, scene, warnings);
     gltf::append_lights(model, nodes, scene, warnings);
     gltf::append_cameras(model, nodes, scene, warnings);
     if (scene.triangle.empty()) throw InputError("has no triangles");
+    gltf::warn_about_far_instances(scene, warnings);
     scene.warnings = warnings.lines();
     return scene;
 }

@@ -117,23 +117,27 @@ class InstanceWriter {
     std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> twin_of_;
 };
 
-/// Returns how many triangles had no area and were left out.
-std::size_t append_triangles(std::span<const TriangleVertices> triangles, const Attributes& attributes,
-                             std::span<const CornerTangents> made, const VertexColors& colors,
-                             Scene& scene) {
+/// What became of triangles.
+struct AppendedTriangles {
+    std::size_t left_out = 0;  ///< had no area
+    Imath::Box3f bounds;       ///< of all, those left out too
+};
+
+void append_triangles(std::span<const TriangleVertices> triangles, const Attributes& attributes,
+                      std::span<const CornerTangents> made, const VertexColors& colors, Scene& scene,
+                      AppendedTriangles& appended) {
     InstanceWriter writer(scene, attributes, colors);
-    std::size_t left_out = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const TriangleVertices& corners = triangles[t];
         const auto& position = attributes.position;
+        for (const std::uint32_t corner : corners) appended.bounds.extendBy(position[corner]);
         const Vec3 normal = unit_normal(position[corners[0]], position[corners[1]], position[corners[2]]);
         if (normal == Vec3(0)) {
-            ++left_out;
+            ++appended.left_out;
         } else {
             writer.add_triangle(corners, normal, made.empty() ? nullptr : &made[t]);
         }
     }
-    return left_out;
 }
 
 void warn_about_missing_texcoords(const Material& material, const MeshInstance& instance,
@@ -207,8 +211,7 @@ class MeshAppender {
         }
     }
 
-    /// Triangles without area, which are not in the scene.
-    [[nodiscard]] std::size_t left_out() const { return left_out_; }
+    [[nodiscard]] const AppendedTriangles& appended() const { return appended_; }
 
   private:
     /// Whether there are triangles to read, with a warning where not.
@@ -298,8 +301,8 @@ class MeshAppender {
                               0,
                               geometry.material,
                               {!attributes.texcoord[0].empty(), !attributes.texcoord[1].empty()}};
-        left_out_ += append_triangles(geometry.triangles.triangle, attributes, geometry.tangents,
-                                      geometry.colors, scene_);
+        append_triangles(geometry.triangles.triangle, attributes, geometry.tangents, geometry.colors, scene_,
+                         appended_);
         instance.triangle_count =
             static_cast<std::uint32_t>(scene_.triangle.size()) - instance.first_triangle;
         if (instance.triangle_count == 0) return;
@@ -315,20 +318,22 @@ class MeshAppender {
     AccessorReader accessors_{model_};
     TriangleReader triangles_;
     Skins skins_;
-    std::size_t left_out_ = 0;
+    AppendedTriangles appended_;
 };
 
 }  // namespace
 
-void append_meshes(const tinygltf::Model& model, std::span<const PlacedNode> nodes, Scene& scene,
-                   Warnings& warnings) {
+Imath::Box3f append_meshes(const tinygltf::Model& model, std::span<const PlacedNode> nodes, Scene& scene,
+                           Warnings& warnings) {
     MeshAppender appender(model, nodes, scene, warnings);
     for (const PlacedNode& placed : nodes) {
         if (placed.is_visible && model.nodes[static_cast<std::size_t>(placed.node)].mesh >= 0)
             appender.append_mesh(placed);
     }
-    if (appender.left_out() > 0)
-        warnings.add("zero-area triangles left out", std::to_string(appender.left_out()));
+    const AppendedTriangles& appended = appender.appended();
+    if (appended.left_out > 0)
+        warnings.add("zero-area triangles left out", std::to_string(appended.left_out));
+    return appended.bounds;
 }
 
 }  // namespace common::gltf

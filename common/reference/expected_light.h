@@ -7,7 +7,7 @@
 namespace common::reference {
 
 /// A guess at the irradiance that the light brings to the receiver if nothing is between them, W/m^2, mean
-/// over the channels: 0 only where it brings none.
+/// over the channels: 0 only where it brings none, or is not to be chosen (area_light).
 [[nodiscard]] double expected_irradiance(const Light& light, const Receiver& receiver);
 
 }  // namespace common::reference

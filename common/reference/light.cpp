@@ -1,6 +1,7 @@
 #include "common/reference/light.h"
 
 #include <numbers>
+#include <numeric>
 
 #include "common/scene/coverage.h"
 
@@ -10,22 +11,27 @@ namespace {
 using Imath::V3d;
 using std::numbers::pi;
 
-/// Mean over a grid, and at least a hundredth of the radiance without texture and holes: the grid may miss
-/// what is bright.
-double mean_radiance(const Scene& scene, std::uint32_t triangle) {
+/// What a triangle emits, and where it is to be looked at.
+struct Emission {
+    double mean_radiance;
+    std::shared_ptr<const BrightPlaces> places;
+};
+
+Emission emission_of(const Scene& scene, std::uint32_t triangle, int most_cells_across) {
     const Material& material = scene.material_of(triangle);
     const CoverageRange coverage = coverage_range(scene, triangle);
     const double everywhere = mean_channel(material.emitted_radiance) * static_cast<double>(coverage.most);
-    if (material.emissive_texture.texture == no_texture && coverage.least == coverage.most) return everywhere;
-    constexpr int across = 12;
-    double sum = 0;
-    for (int i = 0; i < across * across; ++i) {
-        const SurfaceId place =
-            place_on(triangle, {(i % across + 0.5) / across, (i / across + 0.5) / across});
-        sum +=
-            mean_channel(emitted_radiance_at(scene, place)) * static_cast<double>(coverage_at(scene, place));
-    }
-    return std::max(sum / (across * across), 0.01 * everywhere);
+    const bool is_textured = material.emissive_texture.texture != no_texture;
+    if (!is_textured && coverage.least == coverage.most) return {everywhere, nullptr};
+    constexpr int across_holes = 16;
+    const int across = is_textured ? cells_across(scene, triangle, most_cells_across)
+                                   : std::min(across_holes, most_cells_across);
+    std::vector<double> cells = emission_grid(scene, triangle, across);
+    const double mean = std::accumulate(cells.begin(), cells.end(), 0.0) / static_cast<double>(cells.size());
+    constexpr double least_share = 0.01;  // the looks may have missed what is bright
+    if (!(mean > 0)) return {coverage.least == coverage.most ? 0 : least_share * everywhere, nullptr};
+    for (double& cell : cells) cell = std::max(cell, least_share * mean);
+    return {mean, std::make_shared<const BrightPlaces>(across, std::move(cells))};
 }
 
 double power(const AreaLight& light, double) {
@@ -36,8 +42,7 @@ double power(const PointLight& light, double) {
 }
 /// The falloff integrates to 2 pi (1 - inner + (inner - outer) / 3) over directions.
 double power(const SpotLight& light, double) {
-    const double inner = static_cast<double>(light.cos_inner_angle);
-    const double outer = static_cast<double>(light.cos_outer_angle);
+    const double inner = light.cos_inner_angle, outer = light.cos_outer_angle;
     return 2 * pi * mean_channel(light.intensity) * (1 - inner + (inner - outer) / 3);
 }
 double power(const DirectionalLight& light, double scene_radius) {
@@ -46,7 +51,7 @@ double power(const DirectionalLight& light, double scene_radius) {
 
 }  // namespace
 
-AreaLight area_light(const Scene& scene, std::uint32_t triangle) {
+AreaLight area_light(const Scene& scene, std::uint32_t triangle, int most_cells_across) {
     const auto [a, b, c] = scene.triangle[triangle];
     const std::array<V3d, 3> corner = {V3d(scene.position[a]), V3d(scene.position[b]),
                                        V3d(scene.position[c])};
@@ -54,10 +59,12 @@ AreaLight area_light(const Scene& scene, std::uint32_t triangle) {
     const V3d center = (corner[0] + corner[1] + corner[2]) / 3;
     double radius = 0;
     for (const V3d& place : corner) radius = std::max(radius, (place - center).length());
+    Emission emission = emission_of(scene, triangle, most_cells_across);
     return {triangle,
             scene.material_of(triangle).double_sided,
             0.5 * twice_area.length(),
-            mean_radiance(scene, triangle),
+            emission.mean_radiance,
+            std::move(emission.places),
             corner,
             V3d(scene.geometric_normal[triangle]),
             center,

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <variant>
 
+#include "common/reference/bright_places.h"
 #include "common/scene/surface_point.h"
 
 namespace common::reference {
@@ -13,14 +15,17 @@ struct AreaLight {
     std::uint32_t triangle;
     bool both_faces;
     double area;
-    double mean_radiance;  ///< over triangle, holes and channels, never 0: only chooses the light
+    double mean_radiance;                        ///< over triangle, holes and channels: only chooses the light
+    std::shared_ptr<const BrightPlaces> places;  ///< to look at, in place_on's square; none: all alike
     std::array<Imath::V3d, 3> corner;
     Imath::V3d normal;  ///< unit, out of the front face
     Imath::V3d center;
     double radius;  ///< from the centre to the farthest corner
 };
 
-[[nodiscard]] AreaLight area_light(const Scene& scene, std::uint32_t triangle);
+/// `most_cells_across`: of the grid by which places of a textured one are chosen. Where its texture is black
+/// wherever the grid looks, its mean is 0 and it is not chosen: rays that meet it find what else there is.
+[[nodiscard]] AreaLight area_light(const Scene& scene, std::uint32_t triangle, int most_cells_across);
 
 /// The place of a triangle that belongs to a point of the unit square, areas in proportion: the square's far
 /// half is folded onto the near one.

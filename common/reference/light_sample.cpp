@@ -17,14 +17,14 @@ using MaybeSample = std::optional<LightSample>;
 MaybeSample sample(const RayScene& rays, const AreaLight& light, const Receiver& receiver,
                    const Square& square) {
     const Scene& scene = rays.scene();
-    const SurfaceId place = place_on(light.triangle, square);
+    const SurfaceId place = place_on(light.triangle, light.places ? light.places->place(square) : square);
     const Vec3& front = scene.geometric_normal[light.triangle];
     const Vec3 position = position_at(scene, place);
     const bool from_front = front.dot(receiver.origin - position) > 0;
     if (!from_front && !light.both_faces) return std::nullopt;
     const Vec3 towards = rays.off_surface(position, from_front ? front : -front) - receiver.origin;
     const double cosine = incident_cosine(receiver, V3d(towards).normalized());
-    const double density = density_of(light, towards);
+    const double density = density_of(light, place, towards);
     if (cosine <= 0 || !(density > 0)) return std::nullopt;
     const Rgb radiance = emitted_radiance_at(scene, place) * coverage_at(scene, place);
     return LightSample{towards, 1, radiance * static_cast<float>(cosine / density), density};
@@ -58,11 +58,16 @@ std::optional<LightSample> sample_light(const RayScene& rays, const Light& light
     return std::visit([&](const auto& l) { return sample(rays, l, receiver, square); }, light);
 }
 
-double density_of(const AreaLight& light, const Vec3& towards) {
+double density_of(const AreaLight& light, const SurfaceId& place, const Vec3& towards) {
     const V3d joining(towards);
     const double distance_sq = joining.length2();
     const double cosine = std::abs(light.normal.dot(joining)) / std::sqrt(distance_sq);
-    return cosine > 0 ? distance_sq / (light.area * cosine) : 0;
+    if (!(cosine > 0)) return 0;
+    const double uniform = distance_sq / (light.area * cosine);
+    if (!light.places) return uniform;
+    // The square is folded: its two halves bring places to the triangle alike.
+    const double u = static_cast<double>(place.u), v = static_cast<double>(place.v);
+    return uniform * 0.5 * (light.places->density({u, v}) + light.places->density({1 - u, 1 - v}));
 }
 
 }  // namespace common::reference

@@ -18,14 +18,14 @@ struct LightSample {
     double density;  ///< of `towards` per solid angle; 0 for lights without area, which no ray meets
 };
 
-/// The place of `light` that belongs to a point of the unit square, uniform over its area; nothing where it
-/// does not shine on the receiver from there.
+/// The place of `light` that belongs to a point of the unit square, uniform over its area or, with a texture,
+/// by brightness; nothing where it does not shine on the receiver from there.
 [[nodiscard]] std::optional<LightSample> sample_light(const RayScene& rays, const Light& light,
                                                       const Receiver& receiver,
                                                       const std::array<double, 2>& square);
 
-/// Density per solid angle with which sample_light picks the place of `light` that lies `towards` the
+/// Density per solid angle with which sample_light picks `place` of `light`, which lies `towards` the
 /// receiver.
-[[nodiscard]] double density_of(const AreaLight& light, const Vec3& towards);
+[[nodiscard]] double density_of(const AreaLight& light, const SurfaceId& place, const Vec3& towards);
 
 }  // namespace common::reference

@@ -8,14 +8,29 @@
 
 namespace common::reference {
 
+namespace {
+
+/// Cells across of each textured light's grid: fewer where there are many, for the memory.
+int most_cells_across(const Scene& scene) {
+    double textured = 1;
+    for (std::uint32_t t = 0; t < scene.triangle.size(); ++t)
+        textured +=
+            scene.material_of(t).emits() && scene.material_of(t).emissive_texture.texture != no_texture;
+    constexpr double cells_in_all = 1 << 20, most = 256;
+    return static_cast<int>(std::clamp(std::sqrt(cells_in_all / textured), 4.0, most));
+}
+
+}  // namespace
+
 Lights::Lights(const Scene& scene)
     : of_triangle_(scene.triangle.size(), -1),
       specular_(specular_bounds(scene)),
       see_through_(has_see_through(scene)) {
+    const int across = most_cells_across(scene);
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) {
         if (!scene.material_of(t).emits() || coverage_range(scene, t).is_nowhere()) continue;
         of_triangle_[t] = static_cast<std::int32_t>(light_.size());
-        light_.emplace_back(area_light(scene, t));
+        light_.emplace_back(area_light(scene, t, across));
     }
     light_.insert(light_.end(), scene.point_light.begin(), scene.point_light.end());
     light_.insert(light_.end(), scene.spot_light.begin(), scene.spot_light.end());

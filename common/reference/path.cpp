@@ -34,8 +34,12 @@ struct ChosenDirection {
 
 class Path {
   public:
-    Path(const RayScene& rays, const Lights& lights, RandomStream& stream)
-        : rays_(rays), scene_(rays.scene()), lights_(lights), stream_(stream) {}
+    Path(const RayScene& rays, const Lights& lights, RandomStream& stream, int most_surfaces)
+        : rays_(rays),
+          scene_(rays.scene()),
+          lights_(lights),
+          stream_(stream),
+          most_surfaces_(most_surfaces) {}
 
     V3d irradiance(const SurfacePoint& point, const FirstNumbers& first) {
         Receiver receiver{rays_.off_surface(point.position, point.geometric_normal), point.shading_normal,
@@ -100,14 +104,14 @@ class Path {
             const Vec3& front = scene_.geometric_normal[surface->triangle];
             const Vec3 normal = towards.dot(front) < 0 ? front : -front;
             if (is_hole(*surface)) {
-                if (++surfaces_ > max_surfaces) return std::nullopt;
+                if (++surfaces_ > most_surfaces_) return std::nullopt;
                 origin = rays_.off_surface(position, -normal);
                 continue;
             }
             const double weight =
-                straight ? weight_of_meeting(surface->triangle, position, chosen, choice) : 1;
+                straight ? weight_of_meeting(*surface, position, chosen, choice) : 1;
             add(emitted(*surface, towards) * (pi * weight));
-            if (++surfaces_ > max_surfaces) return std::nullopt;
+            if (++surfaces_ > most_surfaces_) return std::nullopt;
 
             throughput_ *= doubles(base_color_at(scene_, *surface));
             if (scene_.material_of(surface->triangle).kind == SurfaceKind::diffuse) {
@@ -132,12 +136,13 @@ class Path {
     }
 
     /// Share of what `chosen` meets that is not left to next event estimation, which finds it as well.
-    double weight_of_meeting(std::uint32_t triangle, const Vec3& position, const ChosenDirection& chosen,
+    double weight_of_meeting(const SurfaceId& surface, const Vec3& position, const ChosenDirection& chosen,
                              const LightChoice& choice) const {
-        const std::int32_t light = lights_.of_triangle(triangle);
+        const std::int32_t light = lights_.of_triangle(surface.triangle);
         if (light < 0) return 1;
         const auto& area = std::get<AreaLight>(lights_.light()[light]);
-        const double by_light = choice.probability(light) * density_of(area, position - chosen.origin);
+        const double by_light =
+            choice.probability(light) * density_of(area, surface, position - chosen.origin);
         return chosen.density / (chosen.density + by_light);
     }
 
@@ -169,14 +174,15 @@ class Path {
     V3d sum_{0, 0, 0};
     V3d throughput_{1, 1, 1};  ///< irradiance at the visible point over irradiance where the path is
     double index_sq_ = 1;      ///< the part of `throughput_` that squared indices make up
+    int most_surfaces_;
     int surfaces_ = 1;
 };
 
 }  // namespace
 
 V3d sample_irradiance(const RayScene& rays, const Lights& lights, const SurfacePoint& point,
-                      const FirstNumbers& first, RandomStream& stream) {
-    return Path(rays, lights, stream).irradiance(point, first);
+                      const FirstNumbers& first, RandomStream& stream, int most_surfaces) {
+    return Path(rays, lights, stream, most_surfaces).irradiance(point, first);
 }
 
 }  // namespace common::reference

@@ -34,9 +34,15 @@ struct PunctualView {
 /// Factor of a spot's intensity in the unit direction `from_light`: the square of a linear ramp in the cosine
 /// (KHR_lights_punctual).
 [[nodiscard]] inline double falloff(const SpotLight& light, const Imath::V3d& from_light) {
+    const double inner = light.cos_inner_angle, outer = light.cos_outer_angle;
+    if (light.is_narrow()) {  // by 1 - cosine, of which subtraction would leave few digits
+        const double versine = 0.5 * (Imath::V3d(light.axis).normalized() - from_light).length2();
+        if (versine <= 1 - inner) return 1;
+        if (versine >= 1 - outer) return 0;
+        const double ramp = ((1 - outer) - versine) / (inner - outer);
+        return ramp * ramp;
+    }
     const double cosine = Imath::V3d(light.axis).dot(from_light);
-    const double inner = static_cast<double>(light.cos_inner_angle);
-    const double outer = static_cast<double>(light.cos_outer_angle);
     if (cosine >= inner) return 1;
     if (cosine <= outer) return 0;
     const double ramp = (cosine - outer) / (inner - outer);

@@ -2,8 +2,6 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
-#include "common/reference/path.h"
-
 namespace common::reference {
 namespace {
 
@@ -18,12 +16,13 @@ struct PixelPass {
 };
 
 PixelPass sample_pixel(const RayScene& rays, const Lights& lights, const SurfacePoint& point,
-                       std::uint64_t seed, std::uint32_t pixel, std::uint32_t pass) {
+                       std::uint64_t seed, std::uint32_t pixel, std::uint32_t pass, int most_surfaces) {
     const PassStrata strata(seed, pixel, pass);
     PixelPass result;
     for (std::uint32_t i = 0; i < samples_per_pass; ++i) {
         RandomStream stream(seed, pixel, pass, i);
-        const V3d sample = sample_irradiance(rays, lights, point, strata.numbers(i, stream), stream);
+        const V3d sample =
+            sample_irradiance(rays, lights, point, strata.numbers(i, stream), stream, most_surfaces);
         if (std::isfinite(sample.x + sample.y + sample.z))
             result.mean += sample;
         else
@@ -36,7 +35,7 @@ PixelPass sample_pixel(const RayScene& rays, const Lights& lights, const Surface
 }  // namespace
 
 bool add_pass(const RayScene& rays, const Lights& lights, std::span<const VisibleSurface> pixels,
-              std::uint64_t seed, ReferenceSums& sums, const PassProgress& progress) {
+              std::uint64_t seed, ReferenceSums& sums, const PassProgress& progress, int most_surfaces) {
     std::vector<PixelPass> pass(pixels.size());
     for (std::size_t first = 0; first < pixels.size(); first += pixels_per_part) {
         if (!progress(first)) return false;
@@ -44,7 +43,7 @@ bool add_pass(const RayScene& rays, const Lights& lights, std::span<const Visibl
         tbb::parallel_for(first, last, [&](std::size_t p) {
             if (pixels[p].present)
                 pass[p] = sample_pixel(rays, lights, pixels[p].point, seed, static_cast<std::uint32_t>(p),
-                                       static_cast<std::uint32_t>(sums.passes));
+                                       static_cast<std::uint32_t>(sums.passes), most_surfaces);
         });
     }
     for (std::size_t p = 0; p < pixels.size(); ++p) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/reference/lights.h"
+#include "common/reference/path.h"
 #include "common/reference/running_mean.h"
 #include "common/view/visible_surfaces.h"
 
@@ -25,9 +26,10 @@ using PassProgress = std::function<bool(std::size_t pixels_done)>;
 
 /// Adds pass number `sums.passes` of the run with this seed and returns true; or, given up, adds nothing and
 /// returns false. The sums depend on the scene, the points, the seed and the number of passes alone, not on
-/// threads.
+/// threads. Paths end at `most_surfaces`.
 bool add_pass(const RayScene& rays, const Lights& lights, std::span<const VisibleSurface> pixels,
-              std::uint64_t seed, ReferenceSums& sums, const PassProgress& progress);
+              std::uint64_t seed, ReferenceSums& sums, const PassProgress& progress,
+              int most_surfaces = max_surfaces);
 
 /// Square root of the mean, over points and channels, of variance / (R^2 + eps), where R is irradiance and
 /// eps a hundredth of the square of its mean: the relative error to be expected of a point, with dark points

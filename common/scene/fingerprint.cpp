@@ -104,8 +104,12 @@ void add_lights(Hash& hash, const Scene& scene) {
         hash.add(light.position);
         hash.add(light.axis);
         hash.add(light.intensity);
-        hash.add(light.cos_inner_angle);
-        hash.add(light.cos_outer_angle);
+        hash.add(static_cast<float>(light.cos_inner_angle));
+        hash.add(static_cast<float>(light.cos_outer_angle));
+        if (light.is_narrow()) {
+            hash.add(light.cos_inner_angle);
+            hash.add(light.cos_outer_angle);
+        }
     }
     hash.add(scene.directional_light.size());
     for (const DirectionalLight& light : scene.directional_light) {

@@ -85,7 +85,8 @@ struct MeshInstance {
 
 struct PointLight {
     Vec3 position;
-    Rgb intensity;  ///< W/sr
+    Rgb intensity;          ///< W/sr
+    std::string name = "";  ///< as warnings call it: light 'Lamp'
 };
 
 /// glTF spot: intensity falls off between the cones as KHR_lights_punctual says.
@@ -93,13 +94,19 @@ struct SpotLight {
     Vec3 position;
     Vec3 axis;      ///< unit, the way the light shines
     Rgb intensity;  ///< W/sr on the axis
-    float cos_inner_angle = 1.0f;
-    float cos_outer_angle = 0.70710678f;
+    // Of half the cones' angles. A laser's differ from 1 in digits that floats do not have.
+    double cos_inner_angle = 1;
+    double cos_outer_angle = 0.70710678f;
+    std::string name = "";  ///< as warnings call it
+
+    /// Whether 1 - its cosines takes more digits than floats have: below 3.6 degrees.
+    [[nodiscard]] bool is_narrow() const { return cos_outer_angle > 0.998; }
 };
 
 struct DirectionalLight {
     Vec3 direction;  ///< unit, the way the light travels
     Rgb irradiance;  ///< W/m^2 on a surface perpendicular to it
+    std::string name = "";  ///< as warnings call it
 };
 
 /// Uniform light from everywhere outside.

@@ -44,7 +44,9 @@ void BlockTracer::trace(std::uint64_t block, TracedBlock& traced) {
     reflected_.resize(photons_per_block);
     survived_.assign(photons_per_block, 1);
     source_->emit(seed_, first_photon, rays_->surface_offset(), reflected_);
-    for (std::uint32_t event = 0; event < max_events; ++event) {
+    drop_dark(traced);
+    const std::uint32_t most_events = source_->most_events();
+    for (std::uint32_t event = 0; event < most_events; ++event) {
         const std::span<const std::uint32_t> alive = order_.sort(reflected_, survived_);
         if (alive.empty()) return;
         photons_.gather(reflected_, alive);
@@ -59,6 +61,15 @@ void BlockTracer::trace(std::uint64_t block, TracedBlock& traced) {
     }
     for (std::size_t i = 0; i < reflected_.size(); ++i)
         if (survived_[i]) traced.fate[reflected_.number[i]] = PhotonFate::given_up;
+}
+
+/// Photons that carry nothing are not sent: they would be hits that show nothing.
+void BlockTracer::drop_dark(TracedBlock& traced) {
+    for (std::size_t i = 0; i < reflected_.size(); ++i) {
+        if (Rgb(reflected_.flux[i]) != Rgb(0, 0, 0)) continue;
+        survived_[i] = 0;
+        traced.fate[i] = PhotonFate::without_light;
+    }
 }
 
 /// Photons that meet nothing end here.

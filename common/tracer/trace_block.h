@@ -12,14 +12,12 @@ namespace common {
 /// in a core's cache.
 inline constexpr std::uint64_t photons_per_block = 4096;
 
-/// A photon that has met this many surfaces is given up, so that a room of perfect mirrors ends.
-inline constexpr std::uint32_t max_events = 4096;
-
 enum class PhotonFate : std::uint8_t {
     missed,   ///< met no surface at all
     escaped,  ///< left the scene after meeting a surface
     absorbed,
-    given_up  ///< at max_events
+    given_up,      ///< at PhotonSource::most_events
+    without_light  ///< not sent: its light is dark where it would have started
 };
 
 struct TracedBlock {
@@ -45,6 +43,7 @@ class BlockTracer {
     void trace(std::uint64_t block, TracedBlock& traced);
 
   private:
+    void drop_dark(TracedBlock& traced);
     void drop_escaped(std::uint32_t event, TracedBlock& traced);
     void find_arrivals();
     void look_up_textures();

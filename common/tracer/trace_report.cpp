@@ -9,13 +9,14 @@
 namespace common {
 
 void PhotonFates::add(std::span<const PhotonFate> photons) {
-    std::array<std::uint64_t, 4> count{};
+    std::array<std::uint64_t, 5> count{};
     for (const PhotonFate fate : photons) ++count[static_cast<std::size_t>(fate)];
     emitted += photons.size();
     missed += count[static_cast<std::size_t>(PhotonFate::missed)];
     escaped += count[static_cast<std::size_t>(PhotonFate::escaped)];
     absorbed += count[static_cast<std::size_t>(PhotonFate::absorbed)];
     given_up += count[static_cast<std::size_t>(PhotonFate::given_up)];
+    without_light += count[static_cast<std::size_t>(PhotonFate::without_light)];
 }
 
 PhotonFates& PhotonFates::operator+=(const PhotonFates& other) {
@@ -24,6 +25,7 @@ PhotonFates& PhotonFates::operator+=(const PhotonFates& other) {
     escaped += other.escaped;
     absorbed += other.absorbed;
     given_up += other.given_up;
+    without_light += other.without_light;
     return *this;
 }
 

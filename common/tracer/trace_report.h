@@ -8,13 +8,14 @@
 
 namespace common {
 
-/// How the photons of a run ended. Every emitted photon is in exactly one of the last four.
+/// How the photons of a run ended. Every emitted photon is in exactly one of the last five.
 struct PhotonFates {
     std::uint64_t emitted = 0;
     std::uint64_t missed = 0;
     std::uint64_t escaped = 0;
     std::uint64_t absorbed = 0;
     std::uint64_t given_up = 0;
+    std::uint64_t without_light = 0;
 
     void add(std::span<const PhotonFate> photons);
     PhotonFates& operator+=(const PhotonFates& other);

@@ -7,6 +7,7 @@
 
 #include "bench/app/memory_need.h"
 #include "bench/app/methods.h"
+#include "bench/app/warnings.h"
 
 namespace bench {
 namespace {
@@ -73,7 +74,7 @@ Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) area += common::triangle_area(scene, t);
     std::array<std::size_t, 3> kinds = {0, 0, 0};
     for (const common::Material& material : scene.material) ++kinds[static_cast<std::size_t>(material.kind)];
-    std::vector<std::string> warnings = scene.warnings;
+    std::vector<std::string> warnings = scene_warnings(loaded);
     warnings.insert(warnings.end(), prepared.lightmap_trouble().begin(), prepared.lightmap_trouble().end());
     return {{"scene", loaded.name},
             {"file", scene.source},

@@ -7,6 +7,7 @@
 #include "common/core/input_error.h"
 #include "common/gltf/cameras.h"
 #include "common/gltf/document.h"
+#include "common/gltf/duplicates.h"
 #include "common/gltf/lights.h"
 #include "common/gltf/materials.h"
 #include "common/gltf/meshes.h"
@@ -25,6 +26,7 @@ Scene read_scene(const std::filesystem::path& file) {
     scene.source = file.string();
     gltf::append_materials(model, scene, warnings);
     gltf::append_meshes(model, nodes, scene, warnings);
+    gltf::leave_out_duplicates(scene, warnings);
     gltf::append_lights(model, nodes, scene, warnings);
     gltf::append_cameras(model, nodes, scene, warnings);
     if (scene.triangle.empty()) throw InputError("has no triangles");

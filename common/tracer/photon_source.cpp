@@ -46,7 +46,7 @@ EmittedPhoton emit_from(const Scene& scene, const AreaEmitter& e, const Emission
     const Rgb radiance = e.textured ? emitted_radiance_at(scene, {e.triangle, uv.x, uv.y}) : e.mean_radiance;
     const float emitting_area = e.area * (e.both_faces ? 2.0f : 1.0f);
     return {e.corner + e.edge_u * uv.x + e.edge_v * uv.y, e.frame.to_world(numbers.lobe) * side,
-            e.frame.normal * side, radiance * (pi * emitting_area)};
+            e.frame.normal * side, radiance * (pi * emitting_area), e.triangle};
 }
 
 EmittedPhoton emit_from(const Scene&, const PointEmitter& e, const EmissionNumbers& numbers) {

@@ -44,6 +44,7 @@ void BlockTracer::trace(std::uint64_t block, TracedBlock& traced) {
     reflected_.resize(photons_per_block);
     survived_.assign(photons_per_block, 1);
     source_->emit(seed_, first_photon, rays_->surface_offset(), reflected_);
+    if (rays_->may_cover_lights()) drop_covered(first_photon);
     for (std::uint32_t event = 0; event < max_events; ++event) {
         const std::span<const std::uint32_t> alive = order_.sort(reflected_, survived_);
         if (alive.empty()) return;
@@ -58,6 +59,15 @@ void BlockTracer::trace(std::uint64_t block, TracedBlock& traced) {
     }
     for (std::size_t i = 0; i < reflected_.size(); ++i)
         if (survived_[i]) traced.fate[reflected_.number[i]] = PhotonFate::given_up;
+}
+
+/// Photons end here that leave a light which another surface covers.
+void BlockTracer::drop_covered(std::uint64_t first_photon) {
+    for (std::size_t i = 0; i < reflected_.size(); ++i) {
+        const EmittedPhoton photon = source_->emit(seed_, first_photon + i);
+        if (photon.triangle && rays_->is_covered(*photon.triangle, photon.origin, photon.normal))
+            survived_[i] = 0;
+    }
 }
 
 /// Photons that meet nothing end here.

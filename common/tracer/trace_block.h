@@ -45,6 +45,7 @@ class BlockTracer {
     void trace(std::uint64_t block, TracedBlock& traced);
 
   private:
+    void drop_covered(std::uint64_t first_photon);
     void drop_escaped(std::uint32_t event, TracedBlock& traced);
     void find_arrivals();
     void look_up_textures();

@@ -7,9 +7,9 @@
 
 #include "bench/app/memory_need.h"
 #include "bench/app/methods.h"
-#include "common/core/standard_streams.h"
 #include "bench/app/warnings.h"
 #include "common/core/input_error.h"
+#include "common/core/standard_streams.h"
 
 namespace bench {
 namespace {
@@ -85,7 +85,7 @@ Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) area += common::triangle_area(scene, t);
     std::array<std::size_t, 4> kinds = {0, 0, 0, 0};
     for (const common::Material& material : scene.material) ++kinds[static_cast<std::size_t>(material.kind)];
-    std::vector<std::string> warnings = scene.warnings;
+    std::vector<std::string> warnings = scene_warnings(loaded);
     const std::vector<std::string> light = trouble_with_light(loaded.rays);
     warnings.insert(warnings.end(), light.begin(), light.end());
     warnings.insert(warnings.end(), prepared.lightmap_trouble().begin(), prepared.lightmap_trouble().end());

@@ -12,7 +12,8 @@ namespace bench {
 
 void print_warning(const LoadedScene& scene, const std::string& text);
 
-/// What its file asks for and does not get.
+/// What its file asks for and does not get, and where it leaves open what is there.
+[[nodiscard]] std::vector<std::string> scene_warnings(const LoadedScene& scene);
 void print_scene_warnings(const LoadedScene& scene);
 
 /// What becomes of its light: light_trouble.

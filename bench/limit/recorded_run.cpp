@@ -21,6 +21,8 @@ constexpr std::size_t bytes_per_ray = 6 * sizeof(float);
 PhotonFate follow(const common::RayScene& rays, const common::PhotonSource& source, std::uint64_t seed,
                   std::uint64_t photon, RecordedRun& run) {
     const common::EmittedPhoton emitted = source.emit(seed, photon);
+    if (emitted.triangle && rays.is_covered(*emitted.triangle, emitted.origin, emitted.normal))
+        return PhotonFate::absorbed;
     Vec3 origin = rays.off_surface(emitted.origin, emitted.normal), direction = emitted.direction;
     common::Rgb flux = emitted.flux;
     if (flux == common::Rgb(0, 0, 0)) return PhotonFate::without_light;

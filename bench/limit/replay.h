@@ -13,7 +13,7 @@ namespace bench {
 void replay_single(const common::RayScene& rays, std::span<const RayBlock> blocks);
 void replay_packets(const common::RayScene& rays, std::span<const RayBlock> blocks);
 
-/// How many rays find another surface in packets than alone, to the last bit: 0 unless surfaces coincide.
+/// How many rays find another surface in packets than alone, to the last bit: should be 0.
 [[nodiscard]] std::uint64_t count_differences(const common::RayScene& rays, std::span<const RayBlock> blocks);
 
 }  // namespace bench

@@ -7,6 +7,7 @@
 #include "common/core/input_error.h"
 #include "common/gltf/cameras.h"
 #include "common/gltf/document.h"
+#include "common/gltf/duplicates.h"
 #include "common/gltf/far_places.h"
 #include "common/gltf/lights.h"
 #include "common/gltf/materials.h"
@@ -44,6 +45,7 @@ Scene read_scene(const std::filesystem::path& file) {
     scene.source = file.string();
     gltf::append_materials(model, scene, warnings);
     append_meshes_near_origin(model, nodes, scene, warnings);
+    gltf::leave_out_duplicates(scene, warnings);
     gltf::append_lights(model, nodes, scene, warnings);
     gltf::append_cameras(model, nodes, scene, warnings);
     if (scene.triangle.empty()) throw InputError("has no triangles");

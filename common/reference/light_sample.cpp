@@ -22,7 +22,9 @@ MaybeSample sample(const RayScene& rays, const AreaLight& light, const Receiver&
     const Vec3 position = position_at(scene, place);
     const bool from_front = front.dot(receiver.origin - position) > 0;
     if (!from_front && !light.both_faces) return std::nullopt;
-    const Vec3 towards = rays.off_surface(position, from_front ? front : -front) - receiver.origin;
+    const Vec3 normal = from_front ? front : -front;
+    if (rays.is_covered(light.triangle, position, normal)) return std::nullopt;
+    const Vec3 towards = rays.off_surface(position, normal) - receiver.origin;
     const double cosine = incident_cosine(receiver, V3d(towards).normalized());
     const double density = density_of(light, place, towards);
     if (cosine <= 0 || !(density > 0)) return std::nullopt;

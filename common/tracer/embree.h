@@ -9,7 +9,61 @@
 
 #include <type_traits>
 
+#include "common/core/vector.h"
+
 namespace common {
+
+/// From `origin` to `origin + direction * reach`.
+[[nodiscard]] inline RTCRay ray_along(const Vec3& origin, const Vec3& direction, float reach) {
+    return {.org_x = origin.x,
+            .org_y = origin.y,
+            .org_z = origin.z,
+            .tnear = 0,
+            .dir_x = direction.x,
+            .dir_y = direction.y,
+            .dir_z = direction.z,
+            .time = 0,
+            .tfar = reach,
+            .mask = ~0u,
+            .id = 0,
+            .flags = 0};
+}
+
+/// The same, with nothing met.
+[[nodiscard]] inline RTCRayHit ray_hit_along(const Vec3& origin, const Vec3& direction, float reach) {
+    RTCRayHit ray_hit;
+    ray_hit.ray = ray_along(origin, direction, reach);
+    ray_hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    ray_hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    return ray_hit;
+}
+
+/// What Embree hands to a filter of the scene. A filter's own data is of a type derived from it.
+#if RTC_VERSION_MAJOR >= 4
+struct EmbreeContext : RTCRayQueryContext {
+    EmbreeContext() { rtcInitRayQueryContext(this); }
+};
+#else
+struct EmbreeContext : RTCIntersectContext {
+    EmbreeContext() {
+        rtcInitIntersectContext(this);
+        flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    }
+};
+#endif
+
+/// Nearest hit of one ray, of those that the scene's filter accepts.
+inline void intersect_incoherent(RTCScene scene, RTCRayHit& ray_hit, EmbreeContext& context) {
+#if RTC_VERSION_MAJOR >= 4
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
+    arguments.context = &context;
+    rtcIntersect1(scene, &ray_hit, &arguments);
+#else
+    rtcIntersect1(scene, &context, &ray_hit);
+#endif
+}
 
 /// Nearest hit of one ray whose direction has nothing to do with the last one's.
 inline void intersect_incoherent(RTCScene scene, RTCRayHit& ray_hit) {

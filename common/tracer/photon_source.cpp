@@ -72,7 +72,7 @@ EmittedPhoton emit_from(const Scene& scene, const AreaEmitter& e, const Emission
     const float side = from_back ? -1.0f : 1.0f;
     const float emitting_area = e.area * (e.both_faces ? 2.0f : 1.0f);
     return {e.corner + e.edge_u * uv.x + e.edge_v * uv.y, e.frame.to_world(numbers.lobe) * side,
-            e.frame.normal * side, radiance * (pi * emitting_area)};
+            e.frame.normal * side, radiance * (pi * emitting_area), e.triangle};
 }
 
 EmittedPhoton emit_from(const Scene&, const PointEmitter& e, const EmissionNumbers& numbers, double) {

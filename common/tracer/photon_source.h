@@ -23,6 +23,7 @@ struct EmittedPhoton {
     Vec3 direction;  ///< unit, the way it travels
     Vec3 normal;     ///< unit, of the emitting face; the direction itself for lights without a surface
     Rgb flux;        ///< W times the number of photons emitted in the whole run
+    std::optional<std::uint32_t> triangle = {};  ///< that it leaves, where the light has a surface
 };
 
 /// A triangle that emits with a cosine lobe, from its front or from both faces.

@@ -1,9 +1,7 @@
 #include "common/tracer/ray_scene.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <limits>
-#include <stdexcept>
 
 #include "common/tracer/embree.h"
 
@@ -18,70 +16,31 @@ float magnitude(const Imath::Box3f& bounds) {
     return largest;
 }
 
-void check(RTCDevice device) {
-    if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
-        throw std::runtime_error(fmt::format("Embree failed with error {}", static_cast<int>(error)));
-}
-
-RTCRay ray_along(const Vec3& origin, const Vec3& direction, float reach) {
-    return {.org_x = origin.x,
-            .org_y = origin.y,
-            .org_z = origin.z,
-            .tnear = 0,
-            .dir_x = direction.x,
-            .dir_y = direction.y,
-            .dir_z = direction.z,
-            .time = 0,
-            .tfar = reach,
-            .mask = ~0u,
-            .id = 0,
-            .flags = 0};
-}
-
 }  // namespace
-
-void RayScene::Release::operator()(RTCDeviceTy* device) const {
-    rtcReleaseDevice(device);
-}
-void RayScene::Release::operator()(RTCSceneTy* scene) const {
-    rtcReleaseScene(scene);
-}
 
 RayScene::RayScene(const Scene& scene)
     : scene_(&scene),
       surfaces_(scene),
       offset_(magnitude(scene.bounds) * 16 * std::numeric_limits<float>::epsilon()),
-      device_(rtcNewDevice(nullptr)) {
-    if (!device_) throw std::runtime_error("Embree does not start on this machine");
-    embree_.reset(rtcNewScene(device_.get()));
-    rtcSetSceneFlags(embree_.get(), RTC_SCENE_FLAG_ROBUST);  // rays must not slip through shared edges
-    // HIGH quality builds differ from run to run when several threads build.
-    rtcSetSceneBuildQuality(embree_.get(), RTC_BUILD_QUALITY_MEDIUM);
-
-    const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    // Embree reads past the last vertex in whole SSE registers, so it gets a padded copy of its own.
-    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                             sizeof(Vec3), scene.position.size());
-    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                            sizeof(TriangleVertices), scene.triangle.size());
-    check(device_.get());
-    std::copy(scene.position.begin(), scene.position.end(), static_cast<Vec3*>(vertices));
-    std::copy(scene.triangle.begin(), scene.triangle.end(), static_cast<TriangleVertices*>(indices));
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(embree_.get(), geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(embree_.get());
-    check(device_.get());
+      device_(start_embree()),
+      embree_(make_embree_scene(device_.get(), scene.position, scene.triangle)) {
+    // What leaves one of them starts well before the others.
+    const float tolerance = offset_ / 2;
+    coinciding_triangles_ = find_coinciding_triangles(scene, tolerance);
+    const std::vector<std::uint32_t>& coinciding = coinciding_triangles_.triangle;
+    if (coinciding.empty()) return;
+    coinciding_ = std::make_unique<const CoincidingSurfaces>(device_.get(), scene, coinciding, tolerance);
+    may_cover_lights_ = std::any_of(coinciding.begin(), coinciding.end(),
+                                    [&](std::uint32_t t) { return scene.material_of(t).emits(); });
 }
 
 std::optional<SurfaceId> RayScene::nearest(const Vec3& origin, const Vec3& direction, float reach) const {
-    RTCRayHit ray_hit;
-    ray_hit.ray = ray_along(origin, direction, reach);
-    ray_hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    ray_hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    RTCRayHit ray_hit = ray_hit_along(origin, direction, reach);
     intersect_incoherent(embree_.get(), ray_hit);
     if (ray_hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    return SurfaceId{ray_hit.hit.primID, ray_hit.hit.u, ray_hit.hit.v};
+    const SurfaceId found{ray_hit.hit.primID, ray_hit.hit.u, ray_hit.hit.v};
+    if (!coincides(found.triangle)) return found;
+    return coinciding_->met_at(found, origin, direction, ray_hit.ray.tfar);
 }
 
 /// Measured with photons in PhotonOrder, against single rays: packets of 16 that stay together are 1.4 to 2
@@ -136,16 +95,23 @@ void RayScene::nearest_in_packets(const Vec3Array& origin, const Vec3Array& dire
     settle_ties(origin, direction, found);
 }
 
-/// A ray that meets an edge hits two triangles at the same distance, and which of them is found depends on
-/// the packet. One by one it does not.
+/// A ray that meets an edge, or triangles that coincide, hits several at the same distance, and which of them
+/// is found depends on the packet. One by one it does not.
 void RayScene::settle_ties(const Vec3Array& origin, const Vec3Array& direction,
                            NearestSurfaces& found) const {
     constexpr float edge = 1e-6f;  // some ulp of 1
     for (std::size_t i = 0; i < found.u.size(); ++i) {
         const float nearest_edge = std::min({found.u[i], found.v[i], 1 - found.u[i] - found.v[i]});
-        if (nearest_edge > edge || found.triangle[i] == no_triangle) continue;
+        if (found.triangle[i] == no_triangle) continue;
+        if (nearest_edge > edge && !coincides(found.triangle[i])) continue;
         found.set(i, nearest(origin[i], direction[i]).value_or(no_surface));
     }
+}
+
+bool RayScene::is_covered(std::uint32_t triangle, const Vec3& position, const Vec3& normal) const {
+    if (!coincides(triangle)) return false;
+    const std::optional<SurfaceId> met = nearest(off_surface(position, normal), -normal);
+    return met && met->triangle != triangle && coincides(met->triangle);
 }
 
 bool RayScene::occluded(const Vec3& origin, const Vec3& direction, float reach) const {

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "common/core/vec3_array.h"
+#include "common/scene/coinciding_triangles.h"
 #include "common/scene/surface_point.h"
+#include "common/tracer/coinciding_surfaces.h"
+#include "common/tracer/embree_scene.h"
 #include "common/tracer/photon_surfaces.h"
-
-struct RTCDeviceTy;
-struct RTCSceneTy;
 
 namespace common {
 
@@ -44,18 +44,25 @@ class RayScene {
     explicit RayScene(const Scene& scene);
 
     /// Nearest surface from `origin` along `direction`, if there is one no farther than `direction * reach`.
-    /// `direction` may have any length but 0.
+    /// `direction` may have any length but 0. Where several coincide, CoincidingSurfaces says which.
     [[nodiscard]] std::optional<SurfaceId> nearest(
         const Vec3& origin, const Vec3& direction,
         float reach = std::numeric_limits<float>::infinity()) const;
 
     /// The same for many rays, in packets of neighbours: fastest where these travel alike. To the last bit
-    /// what they would hit one by one, unless surfaces coincide exactly.
+    /// what they would hit one by one.
     void nearest(const Vec3Array& origin, const Vec3Array& direction, NearestSurfaces& found) const;
 
     /// Whether a surface lies between `origin` and `origin + direction * reach`. `direction` may have any
     /// length but 0; `reach` may be infinite.
     [[nodiscard]] bool occluded(const Vec3& origin, const Vec3& direction, float reach) const;
+
+    /// Whether rays that come to `position`, on `triangle`, from the side of `normal` (unit) meet another that
+    /// coincides with it: what it emits there to that side is not seen, and must not shine.
+    [[nodiscard]] bool is_covered(std::uint32_t triangle, const Vec3& position, const Vec3& normal) const;
+
+    /// Whether that may be so of a triangle that emits.
+    [[nodiscard]] bool may_cover_lights() const { return may_cover_lights_; }
 
     /// `position`, on a surface with unit normal `normal`, moved off it along `normal` by as much as rounding
     /// may have put it on the wrong side: rays that leave towards that side start here.
@@ -67,11 +74,13 @@ class RayScene {
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     [[nodiscard]] const PhotonSurfaces& surfaces() const { return surfaces_; }
 
+    /// Those that lie within half of `surface_offset` of each other.
+    [[nodiscard]] const CoincidingTriangles& coinciding_triangles() const { return coinciding_triangles_; }
+
   private:
-    struct Release {
-        void operator()(RTCDeviceTy* device) const;
-        void operator()(RTCSceneTy* scene) const;
-    };
+    [[nodiscard]] bool coincides(std::uint32_t triangle) const {
+        return coinciding_ && coinciding_->contains(triangle);
+    }
 
     template <int Rays>
     void nearest_in_packets(const Vec3Array& origin, const Vec3Array& direction,
@@ -81,8 +90,11 @@ class RayScene {
     const Scene* scene_;
     PhotonSurfaces surfaces_;
     float offset_;  ///< world units
-    std::unique_ptr<RTCDeviceTy, Release> device_;
-    std::unique_ptr<RTCSceneTy, Release> embree_;
+    EmbreeDevice device_;
+    EmbreeScene embree_;
+    CoincidingTriangles coinciding_triangles_;
+    std::unique_ptr<const CoincidingSurfaces> coinciding_;  ///< null where none do
+    bool may_cover_lights_ = false;
 };
 
 }  // namespace common

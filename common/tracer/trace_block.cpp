@@ -45,6 +45,7 @@ void BlockTracer::trace(std::uint64_t block, TracedBlock& traced) {
     survived_.assign(photons_per_block, 1);
     source_->emit(seed_, first_photon, rays_->surface_offset(), reflected_);
     drop_dark(traced);
+    if (rays_->may_cover_lights()) drop_covered(first_photon);
     const std::uint32_t most_events = source_->most_events();
     for (std::uint32_t event = 0; event < most_events; ++event) {
         const std::span<const std::uint32_t> alive = order_.sort(reflected_, survived_);
@@ -69,6 +70,15 @@ void BlockTracer::drop_dark(TracedBlock& traced) {
         if (Rgb(reflected_.flux[i]) != Rgb(0, 0, 0)) continue;
         survived_[i] = 0;
         traced.fate[i] = PhotonFate::without_light;
+    }
+}
+
+/// Photons end here that leave a light which another surface covers.
+void BlockTracer::drop_covered(std::uint64_t first_photon) {
+    for (std::size_t i = 0; i < reflected_.size(); ++i) {
+        const EmittedPhoton photon = source_->emit(seed_, first_photon + i);
+        if (photon.triangle && rays_->is_covered(*photon.triangle, photon.origin, photon.normal))
+            survived_[i] = 0;
     }
 }
 

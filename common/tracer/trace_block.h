@@ -44,6 +44,7 @@ class BlockTracer {
 
   private:
     void drop_dark(TracedBlock& traced);
+    void drop_covered(std::uint64_t first_photon);
     void drop_escaped(std::uint32_t event, TracedBlock& traced);
     void find_arrivals();
     void look_up_textures();

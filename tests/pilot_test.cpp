@@ -80,6 +80,18 @@ TEST(Pilot, FollowsMirrorsToWhatStores) {
     EXPECT_EQ(pilot_of(scene).light[0].missed, 0) << "reflected to a ceiling";
 }
 
+TEST(Pilot, SendsPhotonsFromAllThatShinesOnATexture) {
+    // Half a panel's texture is above a floor that meets it, half beyond the floor's edge.
+    Scene scene;
+    add(scene, quad({0, 0, 0}, {0, 0, 1}, {1, 0, 0}), diffuse(Rgb(0.5f, 0.5f, 0.5f)));
+    Material panel = diffuse(Rgb(0, 0, 0), Rgb(1, 1, 1));
+    panel.emissive_texture = {0, 0};
+    add(scene, quad({-1, 1e-3f, 0}, {2, 0, 0}, {0, 0, 1}), panel);
+    scene.texture.emplace_back("white", 64, 64, std::vector<std::uint8_t>(std::size_t{3 * 64 * 64}, 255),
+                               common::ColorSpace::srgb, common::Wrap::repeat, common::Wrap::repeat);
+    EXPECT_NEAR(pilot_of(scene).light[0].missed, 0.5, z_for(1e-5) * 0.5 / std::sqrt(4096.0) + 5e-3);
+}
+
 /// A room with a lamp of its own and a spot that shines away from it with a thousand times the light.
 Scene room_and_stray_light() {
     Scene scene = room_with_lamp();

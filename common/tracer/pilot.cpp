@@ -104,13 +104,16 @@ class Lights {
         double emitted = 0, missed = 0, on_backs = 0;
         for (std::size_t i = 0; i < photons; ++i) {
             const std::uint64_t number = light * most_photons + i;
-            // Evenly spread over the light's emitters.
-            const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(photons);
-            const auto chosen = std::upper_bound(emitters.cumulative.begin(), emitters.cumulative.end() - 1,
-                                                 place * emitters.cumulative.back());
+            // Evenly spread over the light's emitters and, where they have a texture, what shines on each.
+            const double place =
+                emitters.cumulative.back() * (static_cast<double>(i) + 0.5) / static_cast<double>(photons);
+            const auto chosen =
+                std::upper_bound(emitters.cumulative.begin(), emitters.cumulative.end() - 1, place);
+            const double before = chosen == emitters.cumulative.begin() ? 0.0 : *(chosen - 1);
+            const double within = std::clamp((place - before) / (*chosen - before), 0.0, 1 - 0x1p-30);
             const EmittedPhoton photon = source_.emit_from(
                 emitters.number[static_cast<std::size_t>(chosen - emitters.cumulative.begin())],
-                emission_numbers(pilot_seed, number));
+                emission_numbers(pilot_seed, number), within);
             const double light_carried = static_cast<double>(mean_component(photon.flux));
             if (light_carried == 0) continue;
             const Arrival arrival = first_arrival(rays, photon, number);

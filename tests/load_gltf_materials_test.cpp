@@ -117,8 +117,14 @@ TEST_F(LoadGltfMaterials, ReadsTransmissionAsGlass) {
 TEST_F(LoadGltfMaterials, MetalLetsNothingThrough) {
     GltfFile file = one_triangle();
     file.material() = {{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}}}};
-    const Scene scene = load(file);
+    Scene scene = load(file);
     EXPECT_EQ(scene.material[0].kind, SurfaceKind::diffuse);
+    EXPECT_TRUE(has_warning(scene, "metal"));
+    file.document["textures"] = {{{"source", 0}}};
+    file.document["images"] = {{{"uri", "missing.png"}}};
+    file.material()["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
+    scene = load(file);
+    EXPECT_EQ(scene.material[0].kind, SurfaceKind::thin_sheet) << "the texture may say that it is none";
     EXPECT_TRUE(has_warning(scene, "metal"));
 }
 

@@ -77,16 +77,16 @@ class MaterialReader {
 
     void read_transmission(Material& material) {
         const tinygltf::Value& transmission = extension("KHR_materials_transmission");
-        // Metal lets nothing through.
-        const double transmitted = number_or(transmission, "transmissionFactor", 0) *
-                                   (1 - source_.pbrMetallicRoughness.metallicFactor);
+        const auto& pbr = source_.pbrMetallicRoughness;
+        // Metal lets nothing through. With a texture only that, which is not read, says whether it is one.
+        const double metal = pbr.metallicRoughnessTexture.index < 0 ? pbr.metallicFactor : 0;
+        const double transmitted = number_or(transmission, "transmissionFactor", 0) * (1 - metal);
         if (transmitted <= 0) return;
         if (transmitted < 0.5) {
             warn("KHR_materials_transmission: transmission of less than one half treated as none");
             return;
         }
-        if (transmitted < 1 || transmission.Has("transmissionTexture") ||
-            source_.pbrMetallicRoughness.roughnessFactor > 0.01)
+        if (transmitted < 1 || transmission.Has("transmissionTexture") || pbr.roughnessFactor > 0.01)
             warn("KHR_materials_transmission: partial or rough transmission treated as clear, smooth glass");
         read_glass(material);
     }

@@ -10,6 +10,7 @@ namespace bench {
 
 PreparedMethods::PreparedMethods(const LoadedScene& scene, const MethodSettings& settings)
     : scene_(&scene.scene),
+      rays_(&scene.rays),
       settings_(settings),
       uv_(shlm::find_lightmap_uv(scene.scene)),
       trouble_(settings.texels.placement == shlm::TexelPlacement::uv

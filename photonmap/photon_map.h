@@ -12,6 +12,7 @@
 #include "photonmap/gather_settings.h"
 #include "photonmap/kernel.h"
 #include "photonmap/photon_storage.h"
+#include "photonmap/uncovered.h"
 
 namespace photonmap {
 
@@ -30,6 +31,14 @@ template <common::PointIndex Index, PhotonStore Photons>
 struct IndexedPhotons {
     Photons photons;
     Index index;
+
+    /// Of a photon: kept once, by the photons or by the index.
+    [[nodiscard]] common::Vec3 position(std::uint32_t i) const {
+        if constexpr (requires { photons.positions(); })
+            return photons.positions()[i];
+        else
+            return index.position(i);
+    }
 };
 
 /// Finished, immutable.
@@ -38,18 +47,22 @@ class PhotonMap {
   public:
     using Stored = IndexedPhotons<Index, Photons>;
 
-    /// `scene` must outlive the map. `watts_per_flux` as in common::MapSink.
-    PhotonMap(const common::Scene& scene, Stored photons, float watts_per_flux, GatherSettings settings)
-        : PhotonMap(scene, std::make_shared<const Stored>(std::move(photons)), watts_per_flux, settings) {}
+    /// `scene` and `covers`, where there is one, must outlive the map. `watts_per_flux` as in
+    /// common::MapSink.
+    PhotonMap(const common::Scene& scene, Stored photons, float watts_per_flux, GatherSettings settings,
+              const common::CoveringSurfaces* covers = nullptr)
+        : PhotonMap(scene, std::make_shared<const Stored>(std::move(photons)), watts_per_flux, settings,
+                    covers) {}
 
     /// The same photons asked in another way.
     [[nodiscard]] PhotonMap with_gather(const GatherSettings& settings) const {
-        return PhotonMap(*scene_, stored_, watts_per_flux_, settings);
+        return PhotonMap(*scene_, stored_, watts_per_flux_, settings, covers_);
     }
 
     /// Irradiance for the shading normal, W/m^2.
     ///
-    /// The photons that count are those within the largest radius whose surface faces as the point's does.
+    /// The photons that count are those within the largest radius whose surface faces as the point's does,
+    /// but for those that lie on or over a surface that covers the point (Uncovered).
     /// Where k are asked for and found, the k-th nearest gives the radius and does not count itself, so that
     /// k - 1 are divided by the area: with k in the numerator the estimate of uniform light would be
     /// k / (k - 1) of the truth. Otherwise the radius is the largest and all of them count.
@@ -59,7 +72,9 @@ class PhotonMap {
         });
     }
 
-    [[nodiscard]] std::size_t bytes() const { return stored_->photons.bytes() + stored_->index.bytes(); }
+    [[nodiscard]] std::size_t bytes() const {
+        return stored_->photons.bytes() + stored_->index.bytes() + (covers_ ? covers_->bytes() : 0);
+    }
 
     [[nodiscard]] std::size_t size() const { return stored_->photons.size(); }
 
@@ -68,8 +83,9 @@ class PhotonMap {
 
   private:
     PhotonMap(const common::Scene& scene, std::shared_ptr<const Stored> stored, float watts_per_flux,
-              const GatherSettings& settings)
+              const GatherSettings& settings, const common::CoveringSurfaces* covers)
         : scene_(&scene),
+          covers_(covers),
           stored_(std::move(stored)),
           watts_per_flux_(watts_per_flux),
           kernel_(settings.kernel),
@@ -84,6 +100,15 @@ class PhotonMap {
         return 0;
     }
 
+    /// Says of each photon whether it counts. `point` must outlive it.
+    [[nodiscard]] auto counted_at(const common::SurfacePoint& point) const {
+        return [stored = stored_.get(),
+                same_surface = stored_->photons.same_surface(*scene_, point.geometric_normal),
+                uncovered = Uncovered(covers_, point)](std::uint32_t i) mutable {
+            return same_surface(i) && uncovered(stored->position(i));
+        };
+    }
+
     template <class KernelFunction>
     [[nodiscard]] common::Rgb from_nearest(const common::SurfacePoint& point,
                                            const KernelFunction& kernel) const {
@@ -93,8 +118,7 @@ class PhotonMap {
         room.resize(NearestSelection::room_for(nearest_));
         float radius_sq = max_radius_ * max_radius_;
         NearestSelection nearest(room, nearest_, radius_sq);
-        stored_->index.search(point.position, nearest,
-                              stored_->photons.same_surface(*scene_, point.geometric_normal));
+        stored_->index.search(point.position, nearest, counted_at(point));
 
         std::span<const NearestSelection::Key> counted = nearest.finish();
         if (counted.size() == nearest_) {
@@ -123,8 +147,7 @@ class PhotonMap {
         common::AllWithin collector(radius_sq, [&](float distance_sq, std::uint32_t i) {
             sum += FluxSum(tilted_flux(i, point) * kernel(distance_sq / radius_sq));
         });
-        stored_->index.search(point.position, collector,
-                              stored_->photons.same_surface(*scene_, point.geometric_normal));
+        stored_->index.search(point.position, collector, counted_at(point));
         return over_disc(sum, radius_sq);
     }
 
@@ -143,6 +166,7 @@ class PhotonMap {
     }
 
     const common::Scene* scene_;
+    const common::CoveringSurfaces* covers_;  ///< null: nothing is asked of them
     std::shared_ptr<const Stored> stored_;
     float watts_per_flux_;
     Kernel kernel_;

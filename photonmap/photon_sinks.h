@@ -16,13 +16,16 @@ class BulkPhotonSink {
   public:
     using Map = typename Engine::Map;
 
-    BulkPhotonSink(const common::Scene& scene, GatherSettings settings)
-        : scene_(&scene), settings_(settings), photons_(Engine::storage(scene)) {}
+    /// `scene` and `covers`, where there is one, must outlive the sink and its map.
+    BulkPhotonSink(const common::Scene& scene, GatherSettings settings,
+                   const common::CoveringSurfaces* covers = nullptr)
+        : scene_(&scene), settings_(settings), covers_(covers), photons_(Engine::storage(scene)) {}
 
     void consume(std::span<const common::HitBatch> wave) { photons_.append(wave); }
 
     [[nodiscard]] Map finish(float watts_per_flux) && {
-        return {*scene_, Engine::indexed(std::move(photons_), *scene_, settings_), watts_per_flux, settings_};
+        return {*scene_, Engine::indexed(std::move(photons_), *scene_, settings_), watts_per_flux, settings_,
+                covers_};
     }
 
     [[nodiscard]] const common::RejectedHits& rejected() const { return photons_.rejected(); }
@@ -31,6 +34,7 @@ class BulkPhotonSink {
   private:
     const common::Scene* scene_;
     GatherSettings settings_;
+    const common::CoveringSurfaces* covers_;
     typename Engine::Storage photons_;
 };
 
@@ -83,8 +87,10 @@ struct PackedUnderCompactTree {
 template <class Index>
 class IncrementalPhotonSink {
   public:
-    IncrementalPhotonSink(const common::Scene& scene, GatherSettings settings)
-        : scene_(&scene), settings_(settings) {}
+    /// As BulkPhotonSink.
+    IncrementalPhotonSink(const common::Scene& scene, GatherSettings settings,
+                          const common::CoveringSurfaces* covers = nullptr)
+        : scene_(&scene), settings_(settings), covers_(covers) {}
 
     void consume(std::span<const common::HitBatch> wave) {
         const std::size_t before = photons_.size();
@@ -93,7 +99,7 @@ class IncrementalPhotonSink {
     }
 
     [[nodiscard]] PhotonMap<Index> finish(float watts_per_flux) && {
-        return {*scene_, {std::move(photons_), std::move(index_)}, watts_per_flux, settings_};
+        return {*scene_, {std::move(photons_), std::move(index_)}, watts_per_flux, settings_, covers_};
     }
 
     [[nodiscard]] const common::RejectedHits& rejected() const { return photons_.rejected(); }
@@ -102,6 +108,7 @@ class IncrementalPhotonSink {
   private:
     const common::Scene* scene_;
     GatherSettings settings_;
+    const common::CoveringSurfaces* covers_;
     PhotonStorage photons_;
     Index index_;
 };

@@ -80,7 +80,7 @@ bool same_bits(const SurfaceId& a, const SurfaceId& b) {
     return a.triangle == b.triangle && bits(a.u) == bits(b.u) && bits(a.v) == bits(b.v);
 }
 
-constexpr std::size_t ray_count = count_for(20'000, 4'000);
+constexpr std::size_t ray_count = count_for(5'000, 1'000);
 
 /// Rays from that side of the quad `target` meet, alone and in packets, the instance that `expected` says for
 /// the place where they do.

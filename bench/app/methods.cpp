@@ -26,6 +26,7 @@ std::vector<std::string> describe_trouble(const common::Scene& scene, const std:
 
 PreparedMethods::PreparedMethods(const LoadedScene& scene, const MethodSettings& settings)
     : scene_(&scene.scene),
+      rays_(&scene.rays),
       settings_(settings),
       uv_(shlm::find_lightmap_uv(scene.scene)),
       trouble_(describe_trouble(scene.scene, uv_, settings.texels.placement)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "bench/app/method.h"
@@ -21,8 +22,8 @@ struct MethodSettings {
 /// "texels=262144 max-radius=auto", "texels=face,262144 max-radius=0.5"
 [[nodiscard]] std::string describe(const MethodSettings& settings);
 
-/// What the methods prepare once for a scene, whatever its light: the photon map nothing, the light map its
-/// texels.
+/// What the methods prepare once for a scene, whatever its light: the photon map what covers what, the light
+/// map its texels.
 class PreparedMethods {
   public:
     PreparedMethods(const LoadedScene& scene, const MethodSettings& settings);
@@ -41,6 +42,19 @@ class PreparedMethods {
         return texels(texel_choice(method, settings_));
     }
 
+    /// Made when first asked for.
+    [[nodiscard]] const common::CoveringSurfaces& covers() {
+        return covers_ ? *covers_ : covers_.emplace(*rays_);
+    }
+
+    /// Makes what this method needs of the scene, unless it is there: no part of a run.
+    void prepare(const Method& method) {
+        if (method.light_map())
+            (void)texels_of(*method.light_map());
+        else
+            (void)covers();
+    }
+
     [[nodiscard]] static TexelChoice texel_choice(const ShlmMethod& method, const MethodSettings& settings) {
         return {method.texels > 0 ? method.texels : settings.texels.count,
                 method.placement.value_or(settings.texels.placement)};
@@ -48,10 +62,12 @@ class PreparedMethods {
 
   private:
     const common::Scene* scene_;
+    const common::RayScene* rays_;
     MethodSettings settings_;
     std::vector<shlm::LightmapUv> uv_;
     std::vector<std::string> trouble_;
     std::map<std::pair<std::size_t, shlm::TexelPlacement>, shlm::PreparedTexels> texels_;
+    std::optional<common::CoveringSurfaces> covers_;
 };
 
 template <int Order, class Work>
@@ -97,19 +113,20 @@ auto with_sink(const Method& method, PreparedMethods& prepared, const common::Ph
         });
     const PhotonMapMethod& photon_map = *method.photon_map();
     const photonmap::GatherSettings gather = gather_of(photon_map, prepared.settings().max_radius);
+    const common::CoveringSurfaces* covers = &prepared.covers();
     switch (photon_map.engine) {
         case PhotonMapEngine::nanoflann:
-            return work(photonmap::NanoflannPhotonSink(prepared.scene(), gather));
+            return work(photonmap::NanoflannPhotonSink(prepared.scene(), gather, covers));
         case PhotonMapEngine::grid:
-            return work(photonmap::GridPhotonSink(prepared.scene(), gather));
+            return work(photonmap::GridPhotonSink(prepared.scene(), gather, covers));
         case PhotonMapEngine::compact:
-            return work(photonmap::CompactPhotonSink(prepared.scene(), gather));
+            return work(photonmap::CompactPhotonSink(prepared.scene(), gather, covers));
         case PhotonMapEngine::flann_incremental:
-            return work(photonmap::FlannIncrementalPhotonSink(prepared.scene(), gather));
+            return work(photonmap::FlannIncrementalPhotonSink(prepared.scene(), gather, covers));
         case PhotonMapEngine::flann:
             break;
     }
-    return work(photonmap::FlannPhotonSink(prepared.scene(), gather));
+    return work(photonmap::FlannPhotonSink(prepared.scene(), gather, covers));
 }
 
 }  // namespace bench

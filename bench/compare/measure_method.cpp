@@ -77,7 +77,7 @@ void measure(const Method& method, Sink sink, const Workload& w, Measurement& m)
 }  // namespace
 
 Measurement measure_method(const Method& method, PreparedMethods& prepared, const Workload& workload) {
-    if (method.light_map()) (void)prepared.texels_of(*method.light_map());  // the scene's, not the run's
+    prepared.prepare(method);  // the scene's, not the run's
     Measurement m;
     m.peak_is_of_this_run = common::reset_peak_resident_bytes();
     m.resident_before_bytes = common::resident_bytes();

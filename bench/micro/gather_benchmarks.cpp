@@ -31,9 +31,10 @@ double mean_irradiance(const Map& map, std::span<const common::SurfacePoint> poi
 
 template <class Sink = photonmap::FlannPhotonSink>
 auto photon_map(SharedInputs& inputs, std::uint64_t hits, const photonmap::PhotonSelection& selection = {}) {
-    const PreparedMethods& methods = inputs.methods(default_texels);
+    PreparedMethods& methods = inputs.methods(default_texels);
     return map_of(inputs.recording(hits),
-                  Sink(methods.scene(), {selection, photonmap::Kernel::disc, methods.settings().max_radius}));
+                  Sink(methods.scene(), {selection, photonmap::Kernel::disc, methods.settings().max_radius},
+                       &methods.covers()));
 }
 
 /// The same run `times` over: a billion hits in half a minute.

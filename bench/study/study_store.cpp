@@ -83,7 +83,7 @@ std::vector<MethodGroup> groups_of(const std::vector<Method>& methods) {
 StudyStore::StudyStore(std::vector<Method> methods, PreparedMethods& prepared,
                        const common::PhotonSource& source) {
     const Method first = methods.front();
-    if (first.light_map()) (void)prepared.texels_of(*first.light_map());  // the scene's, not the run's
+    prepared.prepare(first);  // the scene's, not the run's
     const common::Stopwatch making_room;
     with_sink(first, prepared, source, [&](auto made) {
         using Sink = decltype(made);

@@ -23,7 +23,7 @@ TriangleCorners corners_of(const Scene& scene, std::uint32_t triangle) {
 
 /// Cells along a side of each of the cube's three pairs of faces. Odd: normals along an axis are in the
 /// middle of a cell.
-constexpr int cells_a_side = 33;
+constexpr int cells_a_side = 17;
 constexpr std::size_t cell_count = 3 * cells_a_side * cells_a_side;
 
 /// Rounding tilts a narrow triangle. Those that it tilts by more, in radians, may be missed.
@@ -50,8 +50,9 @@ NormalCells cells_of(const Vec3& normal, float tilt) {
     NormalCells cells;
     for (int axis = 0; axis < 3; ++axis) {
         const float u = normal[(axis + 1) % 3] / normal[axis], v = normal[(axis + 2) % 3] / normal[axis];
+        const float edge = 1 + 3 * tilt;
+        if (!(std::abs(u) <= edge && std::abs(v) <= edge)) continue;
         const float reach = tilt * (1 + u * u + v * v);  // on the cube
-        if (!(std::abs(u) <= 1 + reach && std::abs(v) <= 1 + reach)) continue;
         cells[static_cast<std::size_t>(axis)] = {cell_along(u - reach), cell_along(u + reach),
                                                  cell_along(v - reach), cell_along(v + reach)};
     }
@@ -83,7 +84,9 @@ std::vector<NormalCells> cells_of_all(const Scene& scene, float tolerance) {
     tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t t) {
         const double width = narrowest_width(corners_of(scene, static_cast<std::uint32_t>(t)));
         if (width <= tolerance) return;
-        const auto tilt = static_cast<float>(0.5 * tolerance / width);
+        // Rounding moves a corner by an eighth of what RayScene tolerates, and two of them apart by twice
+        // that.
+        const auto tilt = static_cast<float>(0.25 * double{tolerance} / width);
         cells[t] = cells_of(scene.geometric_normal[t], std::min(tilt, largest_tilt));
     });
     return cells;

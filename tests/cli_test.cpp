@@ -301,7 +301,7 @@ TEST_F(Render, WritesHalfFloatsWithTheirOriginAndAPicture) {
     EXPECT_EQ(spec.height, 18);
     EXPECT_EQ(spec.channelnames.size(), 7u);
     EXPECT_EQ(spec.get_string_attribute("shlmbench:scene"), "cornell");
-    EXPECT_EQ(spec.get_string_attribute("shlmbench:method"), "shlm/L2/flux/knn4");
+    EXPECT_EQ(spec.get_string_attribute("shlmbench:method"), "shlm/L2/flux/surface4");
     EXPECT_EQ(spec.get_string_attribute("shlmbench:seed"), "7");
     EXPECT_NE(spec.get_string_attribute("shlmbench:settings").find("texels=262144"), std::string::npos);
     EXPECT_GE(std::stod(std::string(spec.get_string_attribute("shlmbench:hits"))), 2000);

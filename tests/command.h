@@ -26,7 +26,7 @@ inline const std::string cornell = build_folder + "/scenes/cornell.glb";
 inline std::set<std::string> files_in(const fs::path& folder) {
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        names.insert(fs::relative(entry.path(), folder).string());
+        names.insert(entry.path().lexically_relative(folder).string());
     return names;
 }
 

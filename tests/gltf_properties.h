@@ -69,7 +69,7 @@ inline GltfFile file_of_everything(const TemporaryDirectory& directory) {
                                    {"indices", indices},
                                    {"material", 0},
                                    {"targets", Json::array({Json::object()})}}}}},
-                               {{"primitives", {{{"attributes", skinned}}}}}};
+                               {{"primitives", {{{"attributes", skinned}, {"material", 1}}}}}};
     file.document["nodes"] = {{{"mesh", 0}},
                               {{"mesh", 1}, {"skin", 0}},
                               {{"translation", {0, 0, 2.5}}},
@@ -77,7 +77,7 @@ inline GltfFile file_of_everything(const TemporaryDirectory& directory) {
                               {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}},
                               {{"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}},
                               {{"extensions", {{"KHR_lights_punctual", {{"light", 2}}}}}},
-                              {{"mesh", 0}}};
+                              {{"mesh", 0}, {"translation", {0, 0, 9}}}};
     file.document["scenes"] = {{{"nodes", {0, 1, 2, 3, 4, 5, 6}}}, {{"nodes", {7}}}};
     file.document["skins"] = {{{"joints", {2, 3}}, {"inverseBindMatrices", bind_matrices}}};
     file.document["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};

@@ -25,7 +25,7 @@ GltfFile floats(const std::vector<float>& values, const std::string& type = "VEC
 
 TEST_F(LoadGltfColors, MultiplyTheBaseColor) {
     GltfFile file = floats({1, 0.5f, 0.25f, 0, 1, 1, 0.5f, 0.5f, 0.5f});
-    file.material() = {{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 1, 0.5, 1}}}}};
+    file.material() = {{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 1, 0.5, 1}}, {"metallicFactor", 0}}}};
     const Scene scene = load(file);
     EXPECT_TRUE(scene.warnings.empty());
     EXPECT_EQ(scene.color, (std::vector<Rgb>{{1, 0.5f, 0.25f}, {0, 1, 1}, {0.5f, 0.5f, 0.5f}}));

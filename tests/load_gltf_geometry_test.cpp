@@ -278,7 +278,9 @@ TEST_F(LoadGltfNodes, TurnsMirroredTrianglesRound) {
 TEST_F(LoadGltfNodes, MakesAnInstanceOfEveryPrimitiveUnderEveryNode) {
     GltfFile file = one_triangle();
     file.document["meshes"][0]["name"] = "mesh";
-    file.document["meshes"][0]["primitives"].push_back(file.primitive());
+    Json elsewhere = file.primitive();
+    elsewhere["attributes"]["POSITION"] = file.add_accessor<float>({0, 0, 5, 1, 0, 5, 0, 1, 5}, f32, "VEC3");
+    file.document["meshes"][0]["primitives"].push_back(elsewhere);
     file.document["nodes"] = {{{"mesh", 0}, {"name", "left"}}, {{"mesh", 0}, {"translation", {2, 0, 0}}}};
     file.document["scenes"][0]["nodes"] = {0, 1};
     const Scene scene = load(file);
@@ -292,7 +294,9 @@ TEST_F(LoadGltfNodes, MakesAnInstanceOfEveryPrimitiveUnderEveryNode) {
 
 TEST_F(LoadGltfNodes, TakesTheDefaultSceneElseTheFirstElseAllRoots) {
     GltfFile file = one_triangle();
-    file.document["nodes"] = {{{"mesh", 0}, {"children", {1}}}, {{"mesh", 0}}, {{"mesh", 0}}};
+    file.document["nodes"] = {{{"mesh", 0}, {"children", {1}}},
+                              {{"mesh", 0}, {"translation", {2, 0, 0}}},
+                              {{"mesh", 0}, {"translation", {4, 0, 0}}}};
     file.document["scenes"] = {{{"nodes", {0}}}, {{"nodes", {2}}}};
     file.document["scene"] = 1;
     EXPECT_EQ(load(file).instance.size(), 1u);

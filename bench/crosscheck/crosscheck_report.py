@@ -28,6 +28,14 @@ def reference_table(rows):
     return lines
 
 
+def method_table(rows):
+    lines = ["| scene | integrator | Russian roulette after | left out by both |", "|---|---|---|---|"]
+    for row in rows:
+        left_out = ", ".join(row["left_out"]) or "nothing"
+        lines.append(f"| {row['scene']} | {row['integrator']} | {row['roulette_after_bounces']} bounces | {left_out} |")
+    return lines
+
+
 def markdown(document):
     rows = document["rows"]
     return "\n".join(
@@ -45,6 +53,8 @@ def markdown(document):
             *[f"- {row['scene']}: {row['paths_not_found']}" for row in rows],
             "",
             "## How this was made",
+            "",
+            *method_table(rows),
             "",
             *[f"- {key}: {value}" for key, value in document["context"].items()],
             "",

@@ -2,95 +2,66 @@
 
 import argparse
 import json
-import platform
-import subprocess
 import sys
-from datetime import datetime, timezone
-from importlib.metadata import version
+from dataclasses import replace
 from pathlib import Path
 
-from variant import use_fastest_variant
+import numpy as np
 
-use_fastest_variant()
+from input_error import InputError
+from scene import DirectionalLight
+from variant import VARIANTS, use_variant
 
-# Only now: these bind the variant's types.
-import mitsuba as mi  # noqa: E402
-
-from agreement import LARGEST_Z, compare  # noqa: E402
-from crosscheck_report import markdown, table  # noqa: E402
-from glb_scene import read_scene  # noqa: E402
-from input_error import InputError  # noqa: E402
-from irradiance import estimate_irradiance  # noqa: E402
-from mitsuba_scene import mitsuba_scene  # noqa: E402
-from reference_file import check_points_lie_on, read_reference  # noqa: E402
-
+# As check_scene.py has it, which can only be imported once there is a variant.
 BATCHES = 64
-SEED = 1
+
+
+def numbers(count):
+    def parse(text):
+        values = [float(part) for part in text.split(",")]
+        if len(values) != count or not np.isfinite(values).all():
+            raise ValueError(text)
+        return values
+
+    return parse
 
 
 def arguments():
     parser = argparse.ArgumentParser(prog="run", description=__doc__)
-    parser.add_argument("files", nargs="+", metavar="SCENE.glb REFERENCE.exr", help="pairs of a scene and its reference")
+    parser.add_argument("files", nargs="+", metavar="SCENE REFERENCE.exr", help="pairs of a scene, .gltf or .glb, and its reference")
     parser.add_argument("--spp", type=int, default=1024, help=f"Mitsuba's samples per point, a multiple of {BATCHES} (default 1024)")
     parser.add_argument("--out", type=Path, default=Path("results/crosscheck"), help="folder (default results/crosscheck)")
+    parser.add_argument("--sky", type=numbers(3), metavar="R,G,B", help="as the references were made with")
+    parser.add_argument("--sun", type=numbers(6), metavar="X,Y,Z,R,G,B", help="as the references were made with")
+    parser.add_argument("--variant", choices=VARIANTS, help="of Mitsuba (default: the fastest that runs here)")
+    parser.add_argument("--threads", type=int, help="of llvm_ad_rgb (default: all)")
+    parser.add_argument("--rr-depth", type=int, metavar="BOUNCES", help="before chance may end a path (default: by each scene's albedo)")
     given = parser.parse_args()
     if len(given.files) % 2 == 1:
-        parser.error("every SCENE.glb needs its REFERENCE.exr")
+        parser.error("every SCENE needs its REFERENCE.exr")
     if given.spp < BATCHES or given.spp % BATCHES != 0:
         parser.error(f"--spp must be a multiple of {BATCHES}")
+    if given.threads is not None and given.threads < 1:
+        parser.error("--threads must be at least 1")
+    if given.rr_depth is not None and given.rr_depth < 1:
+        parser.error("--rr-depth must be at least 1")
+    if given.sun is not None and not any(given.sun[:3]):
+        parser.error("--sun: X,Y,Z is the direction to the sun and cannot be 0,0,0")
     return given
 
 
-def paths_not_found(scene):
-    """What neither path tracer can sample, so that their agreement says nothing about it."""
-    is_specular = any(mesh.material.kind != "diffuse" for mesh in scene.meshes)
-    if is_specular and (scene.point_lights or scene.spot_lights):
-        return "light of point and spot lights by way of mirrors and glass"
-    return "none"
+def more_light(given):
+    """A function from a scene to one that has --sky and --sun as well."""
+    suns = []
+    if given.sun:
+        towards = np.array(given.sun[:3])
+        suns.append(DirectionalLight(tuple(-towards / np.linalg.norm(towards)), tuple(given.sun[3:])))
 
+    def with_light(scene):
+        sky = scene.sky_radiance if given.sky is None else tuple(given.sky)
+        return replace(scene, sky_radiance=sky, directional_lights=[*scene.directional_lights, *suns])
 
-def check(scene_file, reference_file, spp):
-    name = Path(scene_file).stem
-    scene = read_scene(scene_file)
-    reference = read_reference(reference_file)
-    traced = mitsuba_scene(scene)
-    check_points_lie_on(traced, reference, reference_file)
-
-    def report(batch):
-        if sys.stderr.isatty():
-            print(f"\r{name}: batch {batch} of {BATCHES}", end="\n" if batch == BATCHES else "", file=sys.stderr, flush=True)
-
-    theirs = estimate_irradiance(traced, reference.points, BATCHES, spp // BATCHES, SEED, report)
-    agreement = compare(reference.estimate, theirs, reference.region_of)
-    return {
-        "scene": name,
-        **agreement.as_json(),
-        "paths_not_found": paths_not_found(scene),
-        "reference": reference.notes,
-    }
-
-
-def context(spp):
-    described = subprocess.run(
-        ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty", "--abbrev=12"],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    return {
-        "date": datetime.now(timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ"),
-        "commit": described.stdout.strip() or "unknown",
-        "mitsuba": mi.__version__,
-        "drjit": version("drjit"),
-        "numpy": version("numpy"),
-        "python": platform.python_version(),
-        "variant": mi.variant(),
-        "integrator": "path, unlimited depth",
-        "samples per point": spp,
-        "batches": BATCHES,
-        "seed": SEED,
-        "largest |z| that agrees": LARGEST_Z,
-    }
+    return with_light
 
 
 def write(file, text):
@@ -109,8 +80,18 @@ def make_folder(folder):
 def main():
     given = arguments()
     make_folder(given.out)  # before the minutes of tracing
+    use_variant(given.variant)
+
+    # Only now: these bind the variant's types.
+    import drjit
+
+    from check_scene import check, context
+    from crosscheck_report import markdown, table
+
+    if given.threads:
+        drjit.set_thread_count(given.threads)
     pairs = zip(given.files[::2], given.files[1::2])
-    rows = [check(scene, reference, given.spp) for scene, reference in pairs]
+    rows = [check(scene, reference, given.spp, more_light(given), given.rr_depth) for scene, reference in pairs]
     document = {"context": context(given.spp), "rows": rows}
     write(given.out / "crosscheck.json", json.dumps(document, indent=2) + "\n")
     write(given.out / "crosscheck.md", markdown(document))

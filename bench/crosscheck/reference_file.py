@@ -59,7 +59,7 @@ def check_points_lie_on(scene, reference, name):
 
     def is_off(position, _, normal):
         below = scene.ray_intersect(mi.Ray3f(position + height * normal, -normal))
-        is_near = (below.t < 1.5 * height) & (dr.dot(below.n, normal) > 0.99)
+        is_near = (below.t < 1.5 * height) & (dr.abs(dr.dot(below.n, normal)) > 0.99)
         return mi.Color3f(dr.select(is_near, mi.Float(0), mi.Float(1)))
 
     # Not each of them: in a corner another surface may be nearer.

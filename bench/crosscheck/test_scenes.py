@@ -2,10 +2,11 @@
 
 from statistics import NormalDist
 
+import mitsuba as mi
 import numpy as np
 
-from irradiance import estimate_irradiance
-from mitsuba_scene import mitsuba_scene
+from irradiance import Method, estimate_irradiance
+from mitsuba_scene import lets_light_through, mitsuba_scene
 from points import Points
 from scene import Material, Mesh
 
@@ -43,5 +44,14 @@ def unit(v):
     return np.array(v, float) / np.linalg.norm(v)
 
 
+def png(rows):
+    """Encoded bytes of an image: (height, width, channels) numbers from 0 to 255."""
+    stream = mi.MemoryStream()
+    mi.Bitmap(np.array(rows, np.uint8)).write(stream, mi.Bitmap.FileFormat.PNG)
+    stream.seek(0)
+    return bytes(stream.read(stream.size()))
+
+
 def estimate(scene, points, samples_per_batch=64, seed=1):
-    return estimate_irradiance(mitsuba_scene(scene), points, BATCHES, samples_per_batch, seed)
+    method = Method(lets_light_through(scene))
+    return estimate_irradiance(mitsuba_scene(scene), points, BATCHES, samples_per_batch, seed, method)

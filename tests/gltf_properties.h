@@ -35,9 +35,9 @@ inline GltfFile file_of_everything(const TemporaryDirectory& directory) {
     const int texcoord0 = file.add_accessor<std::uint16_t>({0, 0, 65535, 0, 0, 30000}, u16, "VEC2");
     const int texcoord1 = file.add_accessor<float>({0, 0, 0.5f, 0, 0, 0.5f}, f32, "VEC2");
     const int indices = file.add_accessor<std::uint16_t>({1, 2, 0, 0, 2, 1}, u16, "SCALAR");
-    file.add_accessor<float>({0, 1, 2, 0, 1, 2, 0, 1, 2}, f32, "VEC3");  // 6: a change
+    file.add_accessor<float>({0, 1, 2, 0, 1, 3, 0, 1, 4}, f32, "VEC3");  // 6: a change
     const int joints = file.add_accessor<std::uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, u8, "VEC4");
-    const int weights = file.add_accessor<float>({1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0}, f32, "VEC4");
+    const int weights = file.add_accessor<float>({1, 0, 0, 0, 0.75f, 0.25f, 0, 0, 0.5f, 0.5f, 0, 0}, f32, "VEC4");
     std::vector<float> bind;
     for (int joint = 0; joint < 2; ++joint)
         bind.insert(bind.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 3, 1});
@@ -71,7 +71,7 @@ inline GltfFile file_of_everything(const TemporaryDirectory& directory) {
                                    {"targets", Json::array({Json::object()})}}}}},
                                {{"primitives", {{{"attributes", skinned}, {"material", 1}}}}}};
     file.document["nodes"] = {{{"mesh", 0}},
-                              {{"mesh", 1}, {"skin", 0}},
+                              {{"mesh", 1}, {"skin", 0}, {"translation", {0, 0, 7}}},  // which the skin passes over
                               {{"translation", {0, 0, 2.5}}},
                               {{"camera", 0}},
                               {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}},

@@ -26,7 +26,7 @@ from study_laws import Folder
 
 WIDTH, HEIGHT = 96, 54
 FAKE = Path(__file__).resolve().parent / "fake_shlmbench.py"
-METHODS = "shlm,photonmap,shlm/L2/radiance/knn4,photonmap/compact"
+METHODS = "shlm,photonmap,shlm/L2/radiance/surface4,photonmap/compact"
 
 
 def scene_of(reference, pixel=None, variance=0.0):
@@ -200,17 +200,17 @@ class Finding(Folder):
 
 class Names(unittest.TestCase):
     def test_short_names_stand_for_what_no_longer_one_asks_for(self):
-        measured = ["shlm/L2/radiance/knn4", "shlm/L2/radiance/new", "photonmap/flann/k50/disc", "photonmap/compact/k50/disc"]
+        measured = ["shlm/L2/radiance/surface4", "shlm/L2/radiance/new", "photonmap/flann/k50/disc", "photonmap/compact/k50/disc"]
         found = full_names(METHODS.split(","), measured)
         self.assertEqual(found["shlm"], "shlm/L2/radiance/new")
-        self.assertEqual(found["shlm/L2/radiance/knn4"], "shlm/L2/radiance/knn4")
+        self.assertEqual(found["shlm/L2/radiance/surface4"], "shlm/L2/radiance/surface4")
         self.assertEqual(found["photonmap"], "photonmap/flann/k50/disc")
         self.assertEqual(found["photonmap/compact"], "photonmap/compact/k50/disc")
 
     def test_the_default_may_be_asked_for_twice(self):
-        found = full_names(["shlm", "shlm/L2/radiance/knn4"], ["shlm/L2/radiance/knn4"])
-        self.assertEqual(set(found.values()), {"shlm/L2/radiance/knn4"})
-        self.assertEqual(full_names(["shlm", "photonmap"], ["shlm/L2/radiance/knn4"]), {"shlm": "shlm/L2/radiance/knn4"})
+        found = full_names(["shlm", "shlm/L2/radiance/surface4"], ["shlm/L2/radiance/surface4"])
+        self.assertEqual(set(found.values()), {"shlm/L2/radiance/surface4"})
+        self.assertEqual(full_names(["shlm", "photonmap"], ["shlm/L2/radiance/surface4"]), {"shlm": "shlm/L2/radiance/surface4"})
 
 
 class Runs(Folder):
@@ -259,7 +259,7 @@ class Runs(Folder):
             "- light map, mean: +2.98",
             "- warning: nothing to speak of",
             "![hall](images/hall.png)",
-            "shlm/L2/radiance/knn4, 1\u00a0M hits",
+            "shlm/L2/radiance/surface4, 1\u00a0M hits",
             "commit 0123456789ab",
         ):
             self.assertIn(piece, text)

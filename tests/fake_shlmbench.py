@@ -26,7 +26,7 @@ def option(name):
 
 
 def full_name(method):
-    names = {"shlm": "shlm/L2/radiance/knn4", "photonmap": "photonmap/flann/k50/disc", "photonmap/compact": "photonmap/compact/k50/disc"}
+    names = {"shlm": "shlm/L2/radiance/surface4", "photonmap": "photonmap/flann/k50/disc", "photonmap/compact": "photonmap/compact/k50/disc"}
     return names.get(method, method)
 
 
@@ -78,7 +78,7 @@ def study(extras):
 
 def fit(extras):
     wait_if_slow("fit", extras, lambda *_: sys.exit(STOPPED))
-    choice = {"method": "shlm/L2/radiance/knn4", "hits": 1e6, "error": 0.09, "seconds": 0.5, "bytes": 4096}
+    choice = {"method": "shlm/L2/radiance/surface4", "hits": 1e6, "error": 0.09, "seconds": 0.5, "bytes": 4096}
     print(json.dumps({"target": 0.1, "light_map": {"reached": True, "sure": True, "choice": choice},
                       "photon_map": {"reached": False, "sure": True, "reason": "too far"}, "light_maps": [choice] * 100}))
 

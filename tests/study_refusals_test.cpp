@@ -70,10 +70,11 @@ TEST_F(Study, RefusesReferencesThatAreNone) {
     std::ofstream(path("references/cornell.exr")) << "text";
     expect_refusal(request, {"references/cornell.exr", "cannot be read"});
     ASSERT_EQ(run_command({"render", cornell, "--method", "photonmap", "--hits", "1000", "--width", "16",
-                           "--height", "9", "--out", path("references/cornell.exr")},
+                           "--height", "9", "--out", path("picture.exr")},
                           said)
                   .exit_code,
               0);
+    fs::copy_file(path("picture.exr"), path("references/cornell.exr"), fs::copy_options::overwrite_existing);
     expect_refusal(request, {"references/cornell.exr", "is not a reference"});
 }
 

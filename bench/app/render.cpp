@@ -121,6 +121,21 @@ Rendering gather_from_file(const RenderPlan& plan, const LoadedScene& loaded,
     });
 }
 
+/// Of a picture whose surfaces are mostly without any light the reader is told: it may be that no hits fall on
+/// what it shows, as on a terrace in a wide plain.
+void warn_about_unlit_picture(const LoadedScene& loaded, const common::Image& image) {
+    std::size_t surfaces = 0, unlit = 0;
+    for (std::size_t p = 0; p < image.pixel_count(); ++p) {
+        if (image.at(p, 3) == 0) continue;
+        ++surfaces;
+        unlit += image.at(p, 4) == 0 && image.at(p, 5) == 0 && image.at(p, 6) == 0;
+    }
+    if (2 * unlit > surfaces)
+        print_warning(loaded, fmt::format("{:.0f} % of the surface in the picture has no light at all: no hit "
+                                          "is near it; it lies in the dark, or more hits are needed",
+                                          100 * static_cast<double>(unlit) / static_cast<double>(surfaces)));
+}
+
 std::vector<std::filesystem::path> inputs_of(const RenderOptions& options) {
     std::vector<std::filesystem::path> inputs = common::source_files(options.file);
     if (!options.map.empty()) inputs.emplace_back(options.map);
@@ -146,14 +161,21 @@ void run(const RenderOptions& options) {
         const ShlmMethod* light_map = plan.method.light_map();
         if (light_map)
             (void)prepared.texels_of(*light_map);  // what cannot be done is said before what is doubtful
-        print_scene_warnings(loaded);
-        print_light_warnings(loaded, source);
-        if (light_map) print_lightmap_warnings(loaded, prepared);
-        const Rendering made = options.map.empty() ? trace_and_gather(plan, loaded, source, prepared)
-                                                   : gather_from_file(plan, loaded, source, prepared);
+        const auto print_warnings = [&] {
+            print_scene_warnings(loaded);
+            print_light_warnings(loaded, source);
+            if (light_map) print_lightmap_warnings(loaded, prepared);
+        };
+        // A file of sums may not fit; what is traced takes long.
+        const bool from_file = !options.map.empty();
+        if (!from_file) print_warnings();
+        const Rendering made = from_file ? gather_from_file(plan, loaded, source, prepared)
+                                         : trace_and_gather(plan, loaded, source, prepared);
+        if (from_file) print_warnings();
         stop_if_interrupted();
         for (const std::string& line : run_trouble(made.trace, made.rejected, source))
             print_warning(loaded, line);
+        warn_about_unlit_picture(loaded, made.image);
 
         common::ImageNotes notes = provenance_notes();
         notes["shlmbench:scene"] = loaded.name;

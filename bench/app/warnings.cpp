@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "common/core/standard_streams.h"
+#include "common/gltf/warnings.h"
 
 namespace bench {
 namespace {
@@ -26,8 +27,8 @@ void add_line(std::vector<std::string>& lines, const common::Pilot& pilot, doubl
     }
     if (!worst) return;
     const std::string more = lights > 1 ? fmt::format(" (and most of the light of {} more)", lights - 1) : "";
-    lines.push_back(
-        fmt::format("{}: {:.3g} % of its light{} {}", worst->light, 100 * share(*worst), more, what_happens));
+    lines.push_back(fmt::format("{}: {:.3g} % of its light{} {}", common::gltf::one_line(worst->light),
+                                100 * share(*worst), more, what_happens));
 }
 
 double percent(std::uint64_t part, std::uint64_t whole) {

@@ -134,7 +134,7 @@ class TexturedEmission {
         std::size_t triangles = 0;
         for (std::uint32_t t = 0; t < scene.triangle.size(); ++t)
             triangles += is_textured(scene.material_of(t));
-        constexpr std::size_t cells_in_all = 1 << 17;
+        constexpr std::size_t cells_in_all = 1 << 16;
         most_cells_ = cells_in_all / std::max<std::size_t>(1, triangles);
     }
 

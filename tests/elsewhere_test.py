@@ -192,10 +192,13 @@ class Finding(Folder):
         (self.folder / "a" / "LICENSE").write_text("Copyright (c) 2020 Ann Example. \\\nPermission\n", encoding="utf-8")
         (self.folder / "b" / "LICENSE.txt").write_text("* title:\tThe Yard\n* author:\tBob\n* license type:\tCC-BY-4.0\n", encoding="utf-8")
         (self.folder / "c" / "LICENSE-ATTRIBUTION.md").write_text('"Loft" by Cy Example.\n', encoding="utf-8")
-        hall, yard, loft = (scene.credit for scene in find_scenes(self.folder)[0])
+        write_scene(self.folder / "d" / "mill.gltf")
+        (self.folder / "d" / "LICENSE").write_text("as defined by Sections 1 through 9\nby the Work\n", encoding="utf-8")
+        hall, yard, loft, mill = (scene.credit for scene in find_scenes(self.folder)[0])
         self.assertEqual(hall, {"source": "a/b c/d", "licence": "MIT (text beside)", "author": "Copyright (c) 2020 Ann Example."})
         self.assertEqual(yard, {"title": "The Yard", "author": "Bob", "licence": "CC-BY-4.0"})
         self.assertEqual(loft, {"author": '"Loft" by Cy Example.'})
+        self.assertEqual(mill, {})  # licences speak of much
 
 
 class Names(unittest.TestCase):

@@ -14,6 +14,8 @@ SKIPPED_FOLDER = "hostile"  # files that are broken on purpose
 LIST = "scenes.txt"
 LIGHT_OPTIONS, CAMERA_OPTIONS = ("--sky", "--sun"), ("--camera",)
 CREDIT_KEYS = {"title": "title", "author": "author", "source": "source", "licence": "licence", "license": "licence"}
+# A line that names somebody: "Copyright (c) 2020 ...", "... by Ann Example", "Donated by ...".
+HOLDER = r"^.*(?:[Cc]opyright (?:\([Cc]\)|©)? ?\d{4}|\bby [A-Z][\w.-]+ [A-Z]|[Dd]onated by [A-Z]).*$"
 JSON_CHUNK = 0x4E4F534A
 
 
@@ -114,14 +116,14 @@ def names_of(files, folder):
 def credit_of(folder):
     """From NOTE.md and the licence texts beside a scene, whatever their form."""
     names = sorted(folder.iterdir(), key=lambda f: (f.name != "NOTE.md", f.name))
-    texts = [text_of(f) for f in names if re.search(r"^note|licen[cs]e|credit|copying", f.name, re.IGNORECASE) and f.is_file()]
+    texts = [text_of(f) for f in names if re.search(r"^note|licen[cs]e|copying", f.name, re.IGNORECASE) and f.is_file()]
     credit = {}
     for text in texts:
         for key, value in re.findall(r"^[\s*#-]*(\w+)[ \w]*:[ \t]*(\S.*)$", text, re.MULTILINE):
             if key.lower() in CREDIT_KEYS:
                 credit.setdefault(CREDIT_KEYS[key.lower()], plain(value))
     if "author" not in credit:
-        holders = [plain(line) for text in texts for line in re.findall(r"^.*(?:copyright \(c\) \d| by [A-Z]).*$", text, re.MULTILINE | re.IGNORECASE)]
+        holders = [plain(line) for text in texts for line in re.findall(HOLDER, text, re.MULTILINE)]
         if holders:
             credit["author"] = holders[0]
     return credit

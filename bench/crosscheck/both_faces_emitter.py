@@ -20,7 +20,8 @@ class BothFaces(mi.Emitter):
         place = self.get_shape().sample_direction(it, sample, active)
         active = active & (place.pdf > 0)
         place.emitter = _pointer(self)
-        return place, dr.select(active, self.eval_direction(it, place, active) / place.pdf, 0)
+        density = dr.select(active, place.pdf, 1)
+        return place, dr.select(active, self.eval_direction(it, place, active) / density, 0)
 
     def pdf_direction(self, it, place, active=True):
         return self.get_shape().pdf_direction(it, place, active)

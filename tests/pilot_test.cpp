@@ -80,6 +80,22 @@ TEST(Pilot, FollowsMirrorsToWhatStores) {
     EXPECT_EQ(pilot_of(scene).light[0].missed, 0) << "reflected to a ceiling";
 }
 
+TEST(Pilot, FollowsHolesToWhatStores) {
+    // Light through a sheet's quarter of holes is lost, what the sheet is there for is not.
+    Scene scene;
+    Material sheet = diffuse(Rgb(0.5f, 0.5f, 0.5f));
+    sheet.alpha_mode = common::AlphaMode::blend;
+    sheet.alpha = 0.75f;
+    add(scene, quad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2}), sheet);
+    scene.spot_light.push_back({{0, 1, 0}, {0, -1, 0}, Rgb(1, 1, 1), 0.99, 0.99});
+    EXPECT_NEAR(pilot_of(scene).light[0].missed, 0.25, z_for(1e-5) * std::sqrt(0.25 * 0.75 / 4096));
+    // A floor below sees only its back's light where it faces down.
+    add(scene, quad({-1, -1, -1}, {2, 0, 0}, {0, 0, 2}), diffuse(Rgb(0.5f, 0.5f, 0.5f)));
+    const Pilot pilot = pilot_of(scene);
+    EXPECT_EQ(pilot.light[0].missed, 0);
+    EXPECT_NEAR(pilot.light[0].on_backs, 0.25, z_for(1e-5) * std::sqrt(0.25 * 0.75 / 4096));
+}
+
 TEST(Pilot, SendsPhotonsFromAllThatShinesOnATexture) {
     // Half a panel's texture is above a floor that meets it, half beyond the floor's edge.
     Scene scene;

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "common/core/random.h"
+#include "common/scene/coverage.h"
 #include "common/tracer/photon_source.h"
 #include "common/tracer/ray_scene.h"
 #include "common/tracer/scatter.h"
@@ -28,11 +29,11 @@ Arrival first_arrival(const RayScene& rays, const EmittedPhoton& photon, std::ui
         const auto met = rays.nearest(origin, direction);
         if (!met) return Arrival::none;
         const Material& material = scene.material_of(met->triangle);
-        if (material.kind == SurfaceKind::diffuse) {
+        const auto u = random_uniforms(pilot_seed, number, event, RandomPurpose::scattering);
+        if (material.kind == SurfaceKind::diffuse && u[3] < coverage_at(scene, *met)) {
             const bool front = direction.dot(scene.geometric_normal[met->triangle]) < 0;
             return front || material.double_sided ? Arrival::front : Arrival::back;
         }
-        const auto u = random_uniforms(pilot_seed, number, event, RandomPurpose::scattering);
         const auto scattered = scatter(scene, *met, direction, photon.flux, u);
         if (!scattered) return Arrival::absorbed;
         origin = rays.off_surface(position_at(scene, *met), scattered->normal);

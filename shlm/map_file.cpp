@@ -23,7 +23,7 @@
 
 #include "common/core/input_error.h"
 #include "common/core/output_file.h"
-#include "shlm/exr_headers.h"
+#include "common/image/exr_headers.h"
 #include "shlm/texel_sums.h"
 
 namespace shlm {
@@ -328,7 +328,7 @@ MapFileReader::MapFileReader(fs::path file) : file_(std::move(file)) {
         const auto bytes = fs::file_size(file_, error);
         if (error) throw InputError(error.message());
         // OpenEXR makes room for what a header asks for before it looks how long the file is.
-        check_exr_headers(file_);
+        common::check_exr_headers(file_);
         Imf::Header::setMaxImageSize(largest_side, largest_side);
         input_ = std::make_unique<Input>(file_);
         const Imf::Header& first = input_->exr().header(0);

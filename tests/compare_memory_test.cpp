@@ -1,8 +1,8 @@
 // shlmbench compare at its bound for memory: what does not fit is not started, what grows past it is ended,
 // and the others go on.
-#include "bench/app/memory_need.h"
 #include "bench/compare/measure_method.h"
 #include "bench/compare/row.h"
+#include "bench/contenders/memory_need.h"
 #include "common/core/memory_use.h"
 #include "tests/command.h"
 #include "tests/statistics.h"
@@ -75,7 +75,7 @@ TEST_F(CompareMemory, SaysWhatWouldBeNeeded) {
 
 TEST(CompareRow, SaysWhereThePeakIsNotOfTheRunAlone) {
     bench::RowInput input;
-    input.method = bench::parse_method("", "photonmap");
+    input.method = bench::parse_contender("", "photonmap");
     input.queries = 1;
     input.null_sink.emplace_back().trace_seconds = 1;
     bench::Measurement m;
@@ -95,10 +95,10 @@ class MeasureMethod : public testing::Test {
     const bench::LoadedScene scene{cornell, {}};
     const bench::QueryPoints queries = bench::visible_query_points(scene, 1);
     const common::PhotonSource source{scene.scene};
-    bench::PreparedMethods prepared{scene, {}};
+    bench::PreparedScene prepared{scene, {}};
 
     bench::Measurement measure(const std::string& name, std::uint64_t hits, std::size_t max_bytes) {
-        return bench::measure_method(bench::parse_method("", name), prepared,
+        return bench::measure_method(bench::parse_contender("", name), prepared,
                                      {scene, source, queries, 1, {.hits = hits}, {}, max_bytes});
     }
 };
@@ -120,7 +120,7 @@ TEST_F(MeasureMethod, NeedsNoMoreThanWasComputed) {
          {"photonmap/flann", "photonmap/nanoflann", "photonmap/grid", "photonmap/grid/r0.000001",
           "photonmap/flann-incremental", "shlm", "shlm/L2/radiance/own/half", "shlm/a5"})
         for (const std::uint64_t hits : {10'000, 1'000'000}) {
-            const std::size_t needed = bench::needed_bytes(bench::parse_method("", name), {}, hits);
+            const std::size_t needed = bench::needed_bytes(bench::parse_contender("", name), {}, hits);
             const bench::Measurement m = measure(name, hits, needed);
             EXPECT_EQ(m.given_up, "") << name;
             if (!m.peak_is_of_this_run) GTEST_SKIP() << "the peak cannot be reset here";

@@ -3,9 +3,8 @@
 
 #include <map>
 
-#include "bench/app/methods.h"
 #include "bench/compare/query_points.h"
-#include "common/tracer/trace_photons.h"
+#include "bench/contenders/trace_into.h"
 #include "tests/statistics.h"
 
 namespace {
@@ -15,16 +14,13 @@ using namespace tests;
 /// Irradiance at the points that the camera sees.
 std::vector<common::Rgb> answers(const std::string& method, const bench::LoadedScene& scene,
                                  const bench::QueryPoints& queries) {
-    bench::PreparedMethods prepared(scene, {});
+    bench::PreparedScene prepared(scene, {});
     const common::PhotonSource source(scene.scene);
-    return bench::with_sink(bench::parse_method("", method), prepared, source, [&](auto sink) {
-        const auto trace =
-            common::trace_photons(scene.rays, source, 1, {.hits = count_for(200'000, 20'000)}, sink);
-        const auto map = common::finish_map(std::move(sink), trace);
-        std::vector<common::Rgb> found;
-        for (const common::SurfacePoint& point : queries.image_order) found.push_back(map.irradiance(point));
-        return found;
-    });
+    const bench::Contender contender = bench::parse_contender("", method);
+    const std::unique_ptr<bench::Store> store = contender->make_store(prepared, source);
+    const auto trace =
+        bench::trace_into(*store, {scene.rays, source, 1, {.hits = count_for(200'000, 20'000)}});
+    return bench::ask(*contender->finish(*store, trace).answers, queries.image_order);
 }
 
 TEST(Engines, AnswerAlike) {

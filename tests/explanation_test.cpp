@@ -33,13 +33,13 @@ class Explanation : public testing::Test {
 
     LoadedScene loaded{SHLMBENCH_BINARY_DIR "/scenes/cornell.glb", {}};
     common::PhotonSource source{loaded.scene};
-    PreparedMethods prepared{loaded, {}};
+    PreparedScene prepared{loaded, {}};
     FitPoints points = find_fit_points(loaded);
 };
 
 TEST_F(Explanation, ShowsTheBlocksThatShareLight) {
-    // Blocks are 1, 2, 4, ... texels wide and have fewer than 100 hits: four texels at the mean density, eight
-    // below 0.39 of it, two beyond 1.56 of it.
+    // Blocks are 1, 2, 4, ... texels wide and have fewer than 100 hits: four texels at the mean density,
+    // eight below 0.39 of it, two beyond 1.56 of it.
     const float ratio = median_width(CandidateKind::sharing_map) / median_width(CandidateKind::light_map);
     EXPECT_GE(ratio, 1.9f);
     EXPECT_LE(ratio, 8.1f);

@@ -19,7 +19,7 @@ class FitChoice : public testing::Test {
                                          {CandidateKind::photon_share, "disc", "k", 1e-6}};
     SelfEstimates estimates;
     std::vector<std::optional<PilotCost>> costs;
-    MethodSettings settings;
+    ContenderSettings settings;
     FitGoal goal{.target = 0.05, .z = 0, .max_hits = 1e9};
 
     FitChoice() {
@@ -136,19 +136,6 @@ TEST_F(FitChoice, SaysWhichBiasForbidsTheTarget) {
     EXPECT_TRUE(photon_map().reached) << "the share has no blur";
 }
 
-TEST_F(FitChoice, SaysWhichFlipIsOutOfReach) {
-    goal.metric = Metric::flip;
-    std::vector<NeededHits> needed(4);
-    needed[0].without_noise = 0.2;
-    needed[1].without_noise = 0.1;
-    const Choice choice =
-        choose({candidates, estimates, needed, costs, settings, std::size_t{1} << 40}, goal, true);
-    EXPECT_FALSE(choice.reached);
-    EXPECT_EQ(choice.proposal.candidate, 1u) << "comes nearest";
-    EXPECT_NE(choice.reason.find("a FLIP of 0.05 is out of reach"), std::string::npos) << choice.reason;
-    EXPECT_NE(choice.reason.find("has up to 0.1 without any noise"), std::string::npos) << choice.reason;
-}
-
 TEST_F(FitChoice, SaysWhenItCannotTell) {
     goal.target = 0.03;
     goal.z = 1;
@@ -217,10 +204,10 @@ TEST(NeededHits, OfWhatIsTriedAgainAndAgainMustPassMoreSurely) {
 TEST(FitCandidates, HaveNamesThatAreReadAndStayTheSame) {
     for (const Candidate& candidate : all_candidates()) {
         const std::string name = candidate.name(4'000'000);
-        EXPECT_EQ(parse_method("test", name).name, name);
+        EXPECT_EQ(parse_contender("test", name).name, name);
     }
-    for (const std::string& name : grid_names()) EXPECT_EQ(parse_method("test", name).name, name);
-    EXPECT_EQ(parse_methods("test", grid_names()).size(), grid_names().size()) << "each once";
+    for (const std::string& name : grid_names()) EXPECT_EQ(parse_contender("test", name).name, name);
+    EXPECT_EQ(parse_contenders("test", grid_names()).size(), grid_names().size()) << "each once";
 }
 
 TEST(FitCandidates, GoFromCoarseToFineInEachChain) {

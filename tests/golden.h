@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-#include "bench/compare/measure_method.h"
+#include "bench/contenders/picture.h"
 
 namespace golden {
 
@@ -30,12 +30,12 @@ inline common::Image render(const std::string& scene, const std::string& method,
     constexpr std::uint64_t hits = 200'000;
     const bench::LoadedScene loaded(fmt::format("{}/scenes/{}.glb", SHLMBENCH_BINARY_DIR, scene), {});
     const common::PhotonSource source(loaded.scene);
-    bench::MethodSettings settings;
+    bench::ContenderSettings settings;
     settings.texels.count = 16'384;  // a dozen hits for each
-    bench::PreparedMethods prepared(loaded, settings);
+    bench::PreparedScene prepared(loaded, settings);
     const auto pixels = common::visible_surfaces(loaded.rays, loaded.camera, width, height);
-    return bench::render_method(bench::parse_method("golden", method), prepared,
-                                {loaded, source, {}, with_seed, {.hits = hits}, {}}, pixels, width, height);
+    return bench::render_run(bench::parse_contender("golden", method), prepared,
+                             {loaded.rays, source, with_seed, {.hits = hits}}, pixels, width, height);
 }
 
 /// What keeps two images from being compared at all: sizes, channels, values that are not finite. Empty where

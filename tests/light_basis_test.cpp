@@ -7,8 +7,7 @@
 #include "bench/bases/basis_error.h"
 #include "bench/bases/directions.h"
 #include "shlm/ambient_and_direction.h"
-#include "shlm/hemisphere_six.h"
-#include "shlm/luminance_four.h"
+#include "shlm/hemisphere_four.h"
 #include "shlm/luminance_nine.h"
 
 namespace {
@@ -89,10 +88,6 @@ TEST(HemisphereFour, IsTheLeastSquaresFitOverTheHemisphere) {
     expect_least_squares<shlm::HemisphereFour>(4);
 }
 
-TEST(HemisphereSix, IsTheLeastSquaresFitOverTheHemisphere) {
-    expect_least_squares<shlm::HemisphereSix>(6);
-}
-
 TEST(LuminanceNine, IsOrder2WhereTheLightHasOneColour) {
     std::mt19937 engine(seed);
     for (int i = 0; i < 100; ++i) {
@@ -108,34 +103,16 @@ TEST(LuminanceNine, IsOrder2WhereTheLightHasOneColour) {
     }
 }
 
-TEST(LuminanceFour, ChangesAsH4DoesFromOrder2AtTheOwnNormal) {
-    std::mt19937 engine(seed);
-    for (int i = 0; i < 100; ++i) {
-        const TexelLight<2> light = grey(any_light(engine));
-        const Vec3 face_normal = any_direction(engine), normal = any_direction(engine);
-        const double own = series(light, face_normal);
-        const auto four = shlm::HemisphereFour::numbers_of(light, face_normal);
-        const double change = irradiance<shlm::HemisphereFour>(four, face_normal, normal).x -
-                              irradiance<shlm::HemisphereFour>(four, face_normal, face_normal).x;
-        const auto numbers = shlm::LuminanceFour::numbers_of(light, face_normal);
-        const double found = irradiance<shlm::LuminanceFour>(numbers, face_normal, normal).x;
-        EXPECT_NEAR(found, own <= 0 ? own : own + change, 1e-4 * (1 + std::abs(1 / own)));
-    }
-}
-
-/// Both keep each channel's own irradiance.
-TEST(LuminanceBases, KeepTheColourOfTheOwnNormal) {
+/// It keeps each channel's own irradiance.
+TEST(LuminanceNine, KeepsTheColourOfTheOwnNormal) {
     std::mt19937 engine(seed);
     for (int i = 0; i < 100; ++i) {
         const TexelLight<2> light = any_light(engine);
         const Vec3 normal = any_direction(engine);
         const Rgb expected = shlm::evaluate_series<2>(light, shlm::evaluate_sh<2>(normal));
-        const Rgb four =
-            irradiance<shlm::LuminanceFour>(shlm::LuminanceFour::numbers_of(light, normal), normal, normal);
         const Rgb nine =
             irradiance<shlm::LuminanceNine>(shlm::LuminanceNine::numbers_of(light, normal), normal, normal);
         for (int c = 0; c < 3; ++c) {
-            EXPECT_NEAR(four[c], expected[c], 1e-5);
             EXPECT_NEAR(nine[c], expected[c], 1e-5);
         }
     }

@@ -132,15 +132,15 @@ TEST(Replay, PacketsFindWhatSingleRaysFind) {
 struct Parts {
     bench::LoadedScene loaded{cornell, {}};
     common::PhotonSource source{loaded.scene};
-    bench::PreparedMethods prepared{loaded, {.texels = {.count = 1024}}};
+    bench::PreparedScene prepared{loaded, {.texels = {.count = 1024}}};
     bench::LimitSubject subject;
 
     Parts()
         : subject{loaded,
                   source,
                   prepared,
-                  bench::parse_method("", "shlm"),
-                  bench::parse_method("", "photonmap/compact"),
+                  bench::parse_contender("", "shlm"),
+                  bench::parse_contender("", "photonmap/compact"),
                   seed,
                   bench::record_run(loaded.rays, source, seed, few_hits, std::size_t{1} << 30, go_on),
                   {}} {

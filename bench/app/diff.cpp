@@ -1,8 +1,6 @@
-#include "bench/app/diff.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -12,7 +10,8 @@
 
 #include "bench/app/ending.h"
 #include "bench/app/image_output.h"
-#include "bench/app/number_options.h"
+#include "bench/setup/command.h"
+#include "bench/setup/numbers.h"
 #include "common/core/input_error.h"
 #include "common/core/standard_streams.h"
 #include "common/difference/error_map.h"
@@ -171,18 +170,23 @@ void run(const DiffOptions& options) {
             fmt::format("{}: relMSE {:g} is more than {:g}", options.image, relmse, *options.most_relmse));
 }
 
-}  // namespace
+const RegisteredCommand registered(8, {.name = "diff",
+                                       .purpose = "Say how far an image is from a reference",
+                                       .add_to = [](Command& command) -> std::function<void()> {
+                                           const auto options = std::make_shared<DiffOptions>();
+                                           command.option("IMAGE", options->image, "Linear image, .exr",
+                                                          Need::required);
+                                           command.option("REFERENCE", options->reference,
+                                                          "Linear image of the same size and place, .exr",
+                                                          Need::required);
+                                           command.number("--fail-relmse", options->most_relmse,
+                                                          "Exit with 1 where relMSE is more than this");
+                                           command.option("--flip-map", options->flip_map,
+                                                          "PNG to write: where a viewer sees a difference");
+                                           command.flag("--json", options->json, "Print JSON");
+                                           return [options] { run(*options); };
+                                       }});
 
-void add_diff_command(CLI::App& app) {
-    const auto options = std::make_shared<DiffOptions>();
-    CLI::App* command = app.add_subcommand("diff", "Say how far an image is from a reference");
-    command->add_option("IMAGE", options->image, "Linear image, .exr")->required();
-    command->add_option("REFERENCE", options->reference, "Linear image of the same size and place, .exr")
-        ->required();
-    add_number(*command, "--fail-relmse", options->most_relmse, "Exit with 1 where relMSE is more than this");
-    command->add_option("--flip-map", options->flip_map, "PNG to write: where a viewer sees a difference");
-    command->add_flag("--json", options->json, "Print JSON");
-    command->callback([options] { run(*options); });
-}
+}  // namespace
 
 }  // namespace bench

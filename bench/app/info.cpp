@@ -1,13 +1,12 @@
-#include "bench/app/info.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "bench/app/memory_need.h"
-#include "bench/app/methods.h"
 #include "bench/app/warnings.h"
+#include "bench/contenders/contender.h"
+#include "bench/contenders/memory_need.h"
+#include "bench/setup/command.h"
 #include "common/core/input_error.h"
 #include "common/core/standard_streams.h"
 
@@ -23,7 +22,7 @@ struct InfoOptions {
     bool json = false;
 };
 
-Json lightmap_facts(PreparedMethods& prepared) {
+Json lightmap_facts(PreparedScene& prepared) {
     double area = 0, without = 0, overlapping = 0;
     std::array<std::size_t, 2> sets = {0, 0};
     for (std::size_t i = 0; i < prepared.lightmap_uv().size(); ++i) {
@@ -44,7 +43,7 @@ Json lightmap_facts(PreparedMethods& prepared) {
 }
 
 /// Nothing where no surface can have any.
-Json texel_facts(PreparedMethods& prepared) {
+Json texel_facts(PreparedScene& prepared) {
     const shlm::TexelPlacement placement = prepared.settings().texels.placement;
     std::size_t by_uv = 0, by_face = 0;
     for (const shlm::LightmapUv& uv : prepared.lightmap_uv()) {
@@ -77,7 +76,7 @@ std::vector<std::string> trouble_with_light(const common::RayScene& rays) {
     }
 }
 
-Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
+Json facts(const LoadedScene& loaded, PreparedScene& prepared) {
     const common::Scene& scene = loaded.scene;
     std::size_t emitting = 0;
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) emitting += scene.material_of(t).emits();
@@ -92,41 +91,39 @@ Json facts(const LoadedScene& loaded, PreparedMethods& prepared) {
     const Imath::V3d low = scene.origin + Imath::V3d(scene.bounds.min),
                      high = scene.origin + Imath::V3d(scene.bounds.max),
                      eye = scene.origin + Imath::V3d(loaded.camera.eye);
-    return {{"scene", loaded.name},
-            {"file", scene.source},
-            {"triangles", scene.triangle.size()},
-            {"instances", scene.instance.size()},
-            {"area", area},
-            {"origin", {scene.origin.x, scene.origin.y, scene.origin.z}},
-            {"bounds", {{low.x, low.y, low.z}, {high.x, high.y, high.z}}},
-            {"materials",
-             {{"diffuse", kinds[0]},
-              {"mirror", kinds[1]},
-              {"dielectric", kinds[2]},
-              {"thin_sheet", kinds[3]}}},
-            {"textures", scene.texture.size()},
-            {"lights",
-             {{"emitting_triangles", emitting},
-              {"point", scene.point_light.size()},
-              {"spot", scene.spot_light.size()},
-              {"directional", scene.directional_light.size()},
-              {"sky", scene.sky.has_value()}}},
-            {"cameras", scene.camera.size()},
-            {"camera",
-             {{"name", loaded.camera.name},
-              {"eye", {eye.x, eye.y, eye.z}},
-              {"forward", {loaded.camera.forward.x, loaded.camera.forward.y, loaded.camera.forward.z}}}},
-            {"lightmap_uv", lightmap_facts(prepared)},
-            {"texels", texel_facts(prepared)},
-            {"warnings", warnings}};
+    return {
+        {"scene", loaded.name},
+        {"file", scene.source},
+        {"triangles", scene.triangle.size()},
+        {"instances", scene.instance.size()},
+        {"area", area},
+        {"origin", {scene.origin.x, scene.origin.y, scene.origin.z}},
+        {"bounds", {{low.x, low.y, low.z}, {high.x, high.y, high.z}}},
+        {"materials",
+         {{"diffuse", kinds[0]}, {"mirror", kinds[1]}, {"dielectric", kinds[2]}, {"thin_sheet", kinds[3]}}},
+        {"textures", scene.texture.size()},
+        {"lights",
+         {{"emitting_triangles", emitting},
+          {"point", scene.point_light.size()},
+          {"spot", scene.spot_light.size()},
+          {"directional", scene.directional_light.size()},
+          {"sky", scene.sky.has_value()}}},
+        {"cameras", scene.camera.size()},
+        {"camera",
+         {{"name", loaded.camera.name},
+          {"eye", {eye.x, eye.y, eye.z}},
+          {"forward", {loaded.camera.forward.x, loaded.camera.forward.y, loaded.camera.forward.z}}}},
+        {"lightmap_uv", lightmap_facts(prepared)},
+        {"texels", texel_facts(prepared)},
+        {"warnings", warnings}};
 }
 
 void run(const InfoOptions& options) {
-    MethodSettings settings;
+    ContenderSettings settings;
     settings.texels = options.texels.choice();
     const LoadedScene loaded(options.file, options.scene);
-    PreparedMethods prepared(loaded, settings);
-    require_memory(parse_method("--texels", "shlm"), settings, 0, default_max_bytes());
+    PreparedScene prepared(loaded, settings);
+    require_memory(parse_contender("--texels", "shlm"), settings, 0, default_max_bytes());
     const Json all = facts(loaded, prepared);
     if (options.json) {
         common::print_result(
@@ -141,17 +138,18 @@ void run(const InfoOptions& options) {
         common::print_result(fmt::format("{:<12} {}\n", "warning", warning.get<std::string>()));
 }
 
-}  // namespace
+const RegisteredCommand registered(1, {.name = "info",
+                                       .purpose = "Say what is in a scene and whether a light map fits on it",
+                                       .add_to = [](Command& command) -> std::function<void()> {
+                                           const auto options = std::make_shared<InfoOptions>();
+                                           command.option("SCENE", options->file,
+                                                          "glTF 2.0 file, .gltf or .glb", Need::required);
+                                           options->scene.add_to(command);
+                                           options->texels.add_to(command);
+                                           command.flag("--json", options->json, "Print JSON");
+                                           return [options] { run(*options); };
+                                       }});
 
-void add_info_command(CLI::App& app) {
-    const auto options = std::make_shared<InfoOptions>();
-    CLI::App* command =
-        app.add_subcommand("info", "Say what is in a scene and whether a light map fits on it");
-    command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
-    options->scene.add_to(*command);
-    options->texels.add_to(*command);
-    command->add_flag("--json", options->json, "Print JSON");
-    command->callback([options] { run(*options); });
-}
+}  // namespace
 
 }  // namespace bench

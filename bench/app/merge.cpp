@@ -1,12 +1,11 @@
-#include "bench/app/merge.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "bench/app/commit.h"
 #include "bench/app/ending.h"
+#include "bench/setup/command.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/output_file.h"
@@ -112,15 +111,17 @@ void run(const MergeOptions& options) {
                                      run.fates.emitted, run.first_photon));
 }
 
-}  // namespace
+const RegisteredCommand registered(
+    4, {.name = "merge",
+        .purpose = "Join light maps of adjoining photon ranges: the same map as one run over all of them",
+        .add_to = [](Command& command) -> std::function<void()> {
+            const auto options = std::make_shared<MergeOptions>();
+            command.option("FILE", options->files, "Files that trace has written, in any order",
+                           Need::required);
+            command.option("--out", options->out, "File to write, .exr", Need::required);
+            return [options] { run(*options); };
+        }});
 
-void add_merge_command(CLI::App& app) {
-    const auto options = std::make_shared<MergeOptions>();
-    CLI::App* command = app.add_subcommand(
-        "merge", "Join light maps of adjoining photon ranges: the same map as one run over all of them");
-    command->add_option("FILE", options->files, "Files that trace has written, in any order")->required();
-    command->add_option("--out", options->out, "File to write, .exr")->required();
-    command->callback([options] { run(*options); });
-}
+}  // namespace
 
 }  // namespace bench

@@ -3,11 +3,8 @@
 
 #include <string>
 
-#include "bench/app/methods.h"
-
-namespace CLI {
-class App;
-}
+#include "bench/contenders/contender.h"
+#include "bench/setup/command.h"
 
 namespace bench {
 
@@ -15,10 +12,10 @@ struct MethodOptions {
     TexelOptions texels;
     double max_radius = 0;
 
-    void add_to(CLI::App& command);
+    void add_to(Command& command);
 
     /// Throws InputError for values that mean nothing.
-    [[nodiscard]] MethodSettings settings() const;
+    [[nodiscard]] ContenderSettings settings() const;
 };
 
 }  // namespace bench

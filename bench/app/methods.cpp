@@ -1,57 +1,89 @@
-#include "bench/app/methods.h"
-
+// Which methods there are, and what their names mean.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <nlohmann/json.hpp>
 
-#include "common/core/input_error.h"
+#include "bench/contenders/contender.h"
+#include "bench/contenders/family.h"
+#include "bench/setup/command.h"
+#include "common/core/standard_streams.h"
 
 namespace bench {
 namespace {
 
-std::vector<std::string> describe_trouble(const common::Scene& scene, const std::vector<shlm::LightmapUv>& uv,
-                                          shlm::TexelPlacement placement) {
-    switch (placement) {
-        case shlm::TexelPlacement::uv:
-            return shlm::describe_lightmap_trouble(scene, uv);
-        case shlm::TexelPlacement::automatic:
-            return shlm::describe_useless_uv(scene, uv);
-        case shlm::TexelPlacement::face:
-            break;
-    }
-    return {};
+using Json = nlohmann::ordered_json;
+
+struct MethodsOptions {
+    std::vector<std::string> names;
+    bool json = false;
+};
+
+Json as_json(const Contender& contender) {
+    const ChartStyle style = contender->style();
+    return {{"method", contender.name},
+            {"fields", contender->fields()},
+            {"store", contender->store_key()},
+            {"colour", style.colour},
+            {"marker", style.marker}};
 }
+
+/// Those named, or one of each kind there is.
+std::vector<Contender> contenders_of(const std::vector<std::string>& names) {
+    if (!names.empty()) return parse_contenders("methods", names);
+    std::vector<Contender> all;
+    for (const auto& [name, family] : all_families())
+        for (Contender& contender : parse_contenders("methods", family.names()))
+            all.push_back(std::move(contender));
+    return all;
+}
+
+Json families_as_json() {
+    Json all = Json::object();
+    for (const auto& [name, family] : all_families()) {
+        Json fields = Json::array();
+        for (const NameField& field : family.fields())
+            fields.push_back({{"key", field.key}, {"form", field.form}, {"meaning", field.meaning}});
+        all[name] = {{"purpose", family.purpose}, {"fields", fields}};
+    }
+    return all;
+}
+
+void print_text(const std::vector<Contender>& contenders, bool with_grammar) {
+    for (const auto& [name, family] : all_families()) {
+        if (!with_grammar) break;
+        std::string parts;
+        for (const NameField& field : family.fields()) parts += " / " + field.key;
+        common::print_result(fmt::format("{}{}: {}\n", name, parts, family.purpose));
+        for (const NameField& field : family.fields())
+            common::print_result(
+                fmt::format("  {:<10} {}\n{:13}{}\n", field.key, field.meaning, "", field.form));
+        common::print_result("\n");
+    }
+    for (const Contender& contender : contenders)
+        common::print_result(fmt::format("{:<36} {} {}\n", contender.name, contender->style().colour,
+                                         contender->style().marker));
+}
+
+void run(const MethodsOptions& options) {
+    const std::vector<Contender> contenders = contenders_of(options.names);
+    if (!options.json) {
+        print_text(contenders, options.names.empty());
+        return;
+    }
+    Json all = Json::array();
+    for (const Contender& contender : contenders) all.push_back(as_json(contender));
+    common::print_result(Json{{"families", families_as_json()}, {"methods", all}}.dump(2) + "\n");
+}
+
+const RegisteredCommand registered(
+    13, {.name = "methods",
+         .purpose = "Say which methods there are, and what the parts of their names mean",
+         .add_to = [](Command& command) -> std::function<void()> {
+             const auto options = std::make_shared<MethodsOptions>();
+             command.option("NAME", options->names, "Methods; one of each kind where none is named");
+             command.flag("--json", options->json, "Print JSON");
+             return [options] { run(*options); };
+         }});
 
 }  // namespace
-
-PreparedMethods::PreparedMethods(const LoadedScene& scene, const MethodSettings& settings)
-    : scene_(&scene.scene),
-      rays_(&scene.rays),
-      settings_(settings),
-      uv_(shlm::find_lightmap_uv(scene.scene)),
-      trouble_(describe_trouble(scene.scene, uv_, settings.texels.placement)) {
-    if (settings_.max_radius == 0)
-        settings_.max_radius = photonmap::default_max_radius(scene.scene.diagonal());
-}
-
-std::string describe(const MethodSettings& settings) {
-    return fmt::format("texels={} max-radius={}", describe(settings.texels),
-                       settings.max_radius == 0 ? "auto" : fmt::format("{}", settings.max_radius));
-}
-
-const shlm::PreparedTexels& PreparedMethods::texels(const TexelChoice& choice) {
-    const bool by_uv = choice.placement == shlm::TexelPlacement::uv;
-    const bool possible = std::any_of(uv_.begin(), uv_.end(), [&](const shlm::LightmapUv& uv) {
-        return shlm::placed_by_uv(uv, choice.placement) || shlm::placed_by_face(uv, choice.placement);
-    });
-    if (!possible) {
-        const std::vector<std::string> trouble = shlm::describe_lightmap_trouble(*scene_, uv_);
-        throw common::InputError(
-            fmt::format("{}: {}", scene_->source,
-                        trouble.empty() || !by_uv ? "no diffuse surface for a light map" : trouble.front()));
-    }
-    return texels_.try_emplace({choice.count, choice.placement}, *scene_, uv_, choice.count, choice.placement)
-        .first->second;
-}
-
 }  // namespace bench

@@ -1,16 +1,15 @@
-#include "bench/app/reference.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "bench/app/ending.h"
 #include "bench/app/image_output.h"
-#include "bench/app/number_options.h"
 #include "bench/app/reference_run.h"
-#include "bench/app/run_options.h"
 #include "bench/app/warnings.h"
+#include "bench/setup/command.h"
+#include "bench/setup/numbers.h"
+#include "bench/setup/run_options.h"
 #include "common/core/input_error.h"
 #include "common/core/output_lock.h"
 #include "common/core/standard_streams.h"
@@ -70,28 +69,28 @@ void run(const ReferenceOptions& options) {
     });
 }
 
-}  // namespace
+const RegisteredCommand registered(
+    5, {.name = "reference",
+        .purpose =
+            "Path trace what the methods estimate: irradiance with its variance, single-float EXR and PNG",
+        .add_to = [](Command& command) -> std::function<void()> {
+            const auto options = std::make_shared<ReferenceOptions>();
+            command.option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb", Need::required);
+            command.option(
+                "--out", options->out,
+                "Image to write, .exr; the PNG goes beside it. A reference of the same run is gone on from",
+                Need::required);
+            command.option("--spp", options->spp,
+                           "Samples per pixel, rounded up to whole passes of 64; 1024 if nothing is said");
+            command.option("--until", options->until,
+                           "Sample until the relative error is at most this, e.g. 0.1%");
+            command.whole_number("--width", options->width, "Pixels");
+            command.whole_number("--height", options->height, "Pixels");
+            options->scene.add_to(command);
+            options->run.add_to(command);
+            return [options] { run(*options); };
+        }});
 
-void add_reference_command(CLI::App& app) {
-    const auto options = std::make_shared<ReferenceOptions>();
-    CLI::App* command = app.add_subcommand(
-        "reference",
-        "Path trace what the methods estimate: irradiance with its variance, single-float EXR and PNG");
-    command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
-    command
-        ->add_option(
-            "--out", options->out,
-            "Image to write, .exr; the PNG goes beside it. A reference of the same run is gone on from")
-        ->required();
-    command->add_option("--spp", options->spp,
-                        "Samples per pixel, rounded up to whole passes of 64; 1024 if nothing is said");
-    command->add_option("--until", options->until,
-                        "Sample until the relative error is at most this, e.g. 0.1%");
-    add_whole_number(*command, "--width", options->width, "Pixels");
-    add_whole_number(*command, "--height", options->height, "Pixels");
-    options->scene.add_to(*command);
-    options->run.add_to(*command);
-    command->callback([options] { run(*options); });
-}
+}  // namespace
 
 }  // namespace bench

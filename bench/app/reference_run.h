@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "bench/app/reference_target.h"
-#include "bench/app/scene_options.h"
+#include "bench/setup/scene_options.h"
 #include "common/reference/continuation.h"
 
 namespace bench {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/app/scene_options.h"
+#include "bench/setup/scene_options.h"
 #include "common/core/input_error.h"
 #include "common/reference/strata.h"
 

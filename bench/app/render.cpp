@@ -1,29 +1,26 @@
-#include "bench/app/render.h"
+
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "bench/app/ending.h"
-#include "bench/app/finished_map.h"
 #include "bench/app/image_output.h"
-#include "bench/app/map_identity.h"
-#include "bench/app/memory_need.h"
 #include "bench/app/method_options.h"
-#include "bench/app/number_options.h"
 #include "bench/app/provenance.h"
-#include "bench/app/run_options.h"
 #include "bench/app/warnings.h"
+#include "bench/contenders/light_map.h"
+#include "bench/contenders/memory_need.h"
+#include "bench/contenders/picture.h"
+#include "bench/setup/command.h"
+#include "bench/setup/numbers.h"
+#include "bench/setup/run_options.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
 #include "common/core/standard_streams.h"
 #include "common/core/threads.h"
 #include "common/gltf/source_files.h"
-#include "common/image/render.h"
-#include "common/tracer/trace_photons.h"
-#include "shlm/checkpoint.h"
 
 namespace bench {
 namespace {
@@ -40,8 +37,8 @@ struct RenderOptions {
 /// A request, checked.
 struct RenderPlan {
     const RenderOptions& options;
-    Method method;
-    MethodSettings settings;
+    Contender method;
+    ContenderSettings settings;
     common::TraceTarget target;
     std::size_t max_bytes;  ///< for the method
 };
@@ -80,49 +77,46 @@ void stop_if_interrupted() {
 }
 
 Rendering trace_and_gather(const RenderPlan& plan, const LoadedScene& loaded,
-                           const common::PhotonSource& source, PreparedMethods& prepared) {
+                           const common::PhotonSource& source, PreparedScene& prepared) {
     const RenderOptions& options = plan.options;
     const common::TraceTarget& target = plan.target;
     const auto pixels = common::visible_surfaces(loaded.rays, loaded.camera, options.width, options.height);
-    return with_sink(plan.method, prepared, source, [&](auto sink) {
-        common::Progress progress("tracing", target.hits ? "hits" : "photons",
-                                  target.hits ? target.hits : target.photons);
-        const auto trace = common::trace_photons(
-            loaded.rays, source, options.run.seed, target, sink, [&](const common::TraceReport& so_far) {
-                progress.show(target.hits ? so_far.hits : so_far.fates.emitted);
-                require_memory(plan.method, plan.settings, expected_hits(so_far, target), plan.max_bytes);
-                return !common::interrupted();
-            });
-        stop_if_interrupted();
-        const common::RejectedHits rejected = sink.rejected();
-        const auto map = finished_map(plan.method, std::move(sink), trace);
-        stop_if_interrupted();
-        return Rendering{common::render(pixels, options.width, options.height, map), trace, rejected};
-    });
+    const std::unique_ptr<Store> store = plan.method->make_store(prepared, source);
+    common::Progress progress("tracing", target.hits ? "hits" : "photons",
+                              target.hits ? target.hits : target.photons);
+    const auto trace = trace_into(
+        *store, {loaded.rays, source, options.run.seed, target, [&](const common::TraceReport& so_far) {
+                     progress.show(target.hits ? so_far.hits : so_far.fates.emitted);
+                     require_memory(plan.method, plan.settings, expected_hits(so_far, target),
+                                    plan.max_bytes);
+                     return !common::interrupted();
+                 }});
+    stop_if_interrupted();
+    const common::RejectedHits rejected = store->facts().rejected;
+    const FinishedMap map = plan.method->finish(*store, trace);
+    stop_if_interrupted();
+    return {render_map(*map.answers, pixels, options.width, options.height), trace, rejected};
 }
 
 /// From the sums that trace has written.
 Rendering gather_from_file(const RenderPlan& plan, const LoadedScene& loaded,
-                           const common::PhotonSource& source, PreparedMethods& prepared) {
+                           const common::PhotonSource& source, PreparedScene& prepared) {
     const RenderOptions& options = plan.options;
-    const ShlmMethod* light_map = plan.method.light_map();
+    const LightMapTechnique* light_map = plan.method.light_map();
     if (!light_map) throw common::InputError("--map: only a light map, --method shlm/..., comes from a file");
-    const shlm::PreparedTexels& texels = prepared.texels_of(*light_map);
-    const shlm::MapIdentity identity = map_identity(*light_map, prepared, source, options.run.seed);
+    const shlm::PreparedTexels& texels = light_map->texels_of(prepared);
+    const shlm::MapIdentity identity = light_map->identity(prepared, source, options.run.seed);
     const auto pixels = common::visible_surfaces(loaded.rays, loaded.camera, options.width, options.height);
-    return with_model(*light_map, [&](auto model) {
-        shlm::Sink<decltype(model)> sink(texels, light_map->gather, shlm::Quantum(source.power()));
-        const common::TraceReport trace =
-            shlm::read_checkpoint(options.map, identity, shlm::TexelAtlas(texels.layout), sink.accumulator())
-                .report();
-        stop_if_interrupted();
-        const auto map = finished_map(*light_map, sink, trace);
-        return Rendering{common::render(pixels, options.width, options.height, map), trace, sink.rejected()};
-    });
+    const std::unique_ptr<LightMapStore> sums = light_map->make_sums(prepared, source);
+    const common::TraceReport trace =
+        sums->read(options.map, identity, shlm::TexelAtlas(texels.layout)).report();
+    stop_if_interrupted();
+    const FinishedMap map = light_map->finish(*sums, trace);
+    return {render_map(*map.answers, pixels, options.width, options.height), trace, sums->facts().rejected};
 }
 
-/// Of a picture whose surfaces are mostly without any light the reader is told: it may be that no hits fall on
-/// what it shows, as on a terrace in a wide plain.
+/// Of a picture whose surfaces are mostly without any light the reader is told: it may be that no hits fall
+/// on what it shows, as on a terrace in a wide plain.
 void warn_about_unlit_picture(const LoadedScene& loaded, const common::Image& image) {
     std::size_t surfaces = 0, unlit = 0;
     for (std::size_t p = 0; p < image.pixel_count(); ++p) {
@@ -131,9 +125,10 @@ void warn_about_unlit_picture(const LoadedScene& loaded, const common::Image& im
         unlit += image.at(p, 4) == 0 && image.at(p, 5) == 0 && image.at(p, 6) == 0;
     }
     if (2 * unlit > surfaces)
-        print_warning(loaded, fmt::format("{:.0f} % of the surface in the picture has no light at all: no hit "
-                                          "is near it; it lies in the dark, or more hits are needed",
-                                          100 * static_cast<double>(unlit) / static_cast<double>(surfaces)));
+        print_warning(loaded,
+                      fmt::format("{:.0f} % of the surface in the picture has no light at all: no hit "
+                                  "is near it; it lies in the dark, or more hits are needed",
+                                  100 * static_cast<double>(unlit) / static_cast<double>(surfaces)));
 }
 
 std::vector<std::filesystem::path> inputs_of(const RenderOptions& options) {
@@ -143,7 +138,7 @@ std::vector<std::filesystem::path> inputs_of(const RenderOptions& options) {
 }
 
 RenderPlan make_plan(const RenderOptions& options) {
-    RenderPlan plan{options, parse_method("--method", options.method), options.methods.settings(),
+    RenderPlan plan{options, parse_contender("--method", options.method), options.methods.settings(),
                     target_of(options), max_map_bytes(options)};
     check_image_output(options.out, options.width, options.height, [&] { return inputs_of(options); });
     check_replaces_a_rendered_image(options.out);
@@ -157,14 +152,12 @@ void run(const RenderOptions& options) {
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
         const common::PhotonSource source(loaded.rays);
-        PreparedMethods prepared(loaded, plan.settings);
-        const ShlmMethod* light_map = plan.method.light_map();
-        if (light_map)
-            (void)prepared.texels_of(*light_map);  // what cannot be done is said before what is doubtful
+        PreparedScene prepared(loaded, plan.settings);
+        plan.method->prepare(prepared);  // what cannot be done is said before what is doubtful
         const auto print_warnings = [&] {
             print_scene_warnings(loaded);
             print_light_warnings(loaded, source);
-            if (light_map) print_lightmap_warnings(loaded, prepared);
+            if (plan.method.light_map()) print_lightmap_warnings(loaded, prepared);
         };
         // A file of sums may not fit; what is traced takes long.
         const bool from_file = !options.map.empty();
@@ -192,27 +185,28 @@ void run(const RenderOptions& options) {
     });
 }
 
-}  // namespace
+const RegisteredCommand registered(
+    2, {.name = "render",
+        .purpose = "Draw a scene with one method: half-float EXR and tone-mapped PNG",
+        .add_to = [](Command& command) -> std::function<void()> {
+            const auto options = std::make_shared<RenderOptions>();
+            command.option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb", Need::required);
+            command.option("--method", options->method,
+                           "photonmap, shlm, or a full name such as shlm/L2/radiance/knn4", Need::required);
+            command.option("--hits", options->hits,
+                           "Trace until there are at least this many hits, e.g. 1e6");
+            command.option("--photons", options->photons, "Trace exactly this many photons");
+            command.option("--map", options->map, "Trace nothing: take a light map's sums from trace's file");
+            command.option("--out", options->out, "Image to write, .exr; the PNG goes beside it",
+                           Need::required);
+            command.whole_number("--width", options->width, "Pixels");
+            command.whole_number("--height", options->height, "Pixels");
+            options->scene.add_to(command);
+            options->methods.add_to(command);
+            options->run.add_to(command);
+            return [options] { run(*options); };
+        }});
 
-void add_render_command(CLI::App& app) {
-    const auto options = std::make_shared<RenderOptions>();
-    CLI::App* command =
-        app.add_subcommand("render", "Draw a scene with one method: half-float EXR and tone-mapped PNG");
-    command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
-    command
-        ->add_option("--method", options->method,
-                     "photonmap, shlm, or a full name such as shlm/L2/radiance/knn4")
-        ->required();
-    command->add_option("--hits", options->hits, "Trace until there are at least this many hits, e.g. 1e6");
-    command->add_option("--photons", options->photons, "Trace exactly this many photons");
-    command->add_option("--map", options->map, "Trace nothing: take a light map's sums from trace's file");
-    command->add_option("--out", options->out, "Image to write, .exr; the PNG goes beside it")->required();
-    add_whole_number(*command, "--width", options->width, "Pixels");
-    add_whole_number(*command, "--height", options->height, "Pixels");
-    options->scene.add_to(*command);
-    options->methods.add_to(*command);
-    options->run.add_to(*command);
-    command->callback([options] { run(*options); });
-}
+}  // namespace
 
 }  // namespace bench

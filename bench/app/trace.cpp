@@ -1,19 +1,19 @@
-#include "bench/app/trace.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "bench/app/commit.h"
 #include "bench/app/ending.h"
-#include "bench/app/map_identity.h"
-#include "bench/app/memory_need.h"
 #include "bench/app/method_options.h"
-#include "bench/app/run_options.h"
 #include "bench/app/warnings.h"
+#include "bench/contenders/light_map.h"
+#include "bench/contenders/memory_need.h"
+#include "bench/contenders/trace_into.h"
+#include "bench/setup/command.h"
+#include "bench/setup/run_options.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/memory_use.h"
@@ -22,7 +22,6 @@
 #include "common/core/standard_streams.h"
 #include "common/core/stopwatch.h"
 #include "common/core/threads.h"
-#include "shlm/checkpoint.h"
 
 namespace bench {
 namespace {
@@ -41,8 +40,8 @@ struct TraceOptions {
 /// A request, checked.
 struct TracePlan {
     const TraceOptions& options;
-    Method method;
-    MethodSettings settings;
+    Contender method;
+    ContenderSettings settings;
     common::TraceTarget target;
     fs::path checkpoint;  ///< to write; empty: none
     double seconds_between_checkpoints;
@@ -67,7 +66,7 @@ fs::path followed(const fs::path& file) {
 
 TracePlan make_plan(const TraceOptions& options) {
     TracePlan plan{options,
-                   parse_method("--method", options.method),
+                   parse_contender("--method", options.method),
                    {.texels = options.texels.choice()},
                    target_of(options),
                    options.checkpoint.empty() || options.checkpoint == options.resume
@@ -96,15 +95,14 @@ std::unique_ptr<const common::OutputLock> claim_checkpoint(const TracePlan& plan
 }
 
 /// The sums on their way to their end, with what is needed to write them.
-template <class Model>
 class MapTrace {
   public:
     /// Takes over what the file to resume has.
-    MapTrace(const TracePlan& plan, const shlm::MapIdentity& identity, const shlm::PreparedTexels& texels,
+    MapTrace(const TracePlan& plan, const shlm::MapIdentity& identity, PreparedScene& scene,
              const common::PhotonSource& source)
         : plan_(plan),
-          sink_(texels, plan.method.light_map()->gather, shlm::Quantum(source.power())),
-          atlas_(texels.layout) {
+          sums_(plan.method.light_map()->make_sums(scene, source)),
+          atlas_(plan.method.light_map()->texels_of(scene).layout) {
         run_.identity = identity;
         run_.first_photon = plan.target.first_photon;
         if (!plan.options.resume.empty()) resume();
@@ -120,31 +118,30 @@ class MapTrace {
         common::Progress progress("tracing", target.hits ? "hits" : "photons",
                                   total - std::min(total, before));
         common::Stopwatch since_checkpoint;
-        const common::TraceReport report = common::trace_photons(
-            loaded.rays, source, run_.identity.seed, target, sink_,
-            [&](const common::TraceReport& so_far) {
-                progress.show(done(so_far) - before);
-                if (!plan_.checkpoint.empty() &&
-                    since_checkpoint.seconds() >= plan_.seconds_between_checkpoints) {
-                    write(so_far);
-                    since_checkpoint = common::Stopwatch();
-                }
-                return !common::interrupted();
-            },
-            run_.report());
+        const auto show_and_keep = [&](const common::TraceReport& so_far) {
+            progress.show(done(so_far) - before);
+            if (!plan_.checkpoint.empty() &&
+                since_checkpoint.seconds() >= plan_.seconds_between_checkpoints) {
+                write(so_far);
+                since_checkpoint = common::Stopwatch();
+            }
+            return !common::interrupted();
+        };
+        const common::TraceReport report = trace_into(
+            *sums_, {loaded.rays, source, run_.identity.seed, target, show_and_keep, run_.report()});
         if (!plan_.checkpoint.empty()) write(report);
         return report;
     }
 
     [[nodiscard]] const shlm::MapRun& run() const { return run_; }
-    [[nodiscard]] const shlm::Sink<Model>& sink() const { return sink_; }
+    [[nodiscard]] StoreFacts facts() const { return sums_->facts(); }
     [[nodiscard]] double checkpoint_seconds() const { return checkpoint_seconds_; }
     [[nodiscard]] int checkpoints() const { return checkpoints_; }
 
   private:
     void resume() {
         const std::string& file = plan_.options.resume;
-        run_ = shlm::read_checkpoint(file, run_.identity, atlas_, sink_.accumulator());
+        run_ = sums_->read(file, run_.identity, atlas_);
         if (!plan_.options.first_photon.empty() && run_.first_photon != plan_.target.first_photon)
             throw common::InputError(fmt::format("{}: cannot be used: it begins at photon {}, not {}", file,
                                                  run_.first_photon, plan_.target.first_photon));
@@ -159,23 +156,22 @@ class MapTrace {
         run.fates = so_far.fates;
         run.hits = so_far.hits;
         run.program = build_commit;
-        shlm::write_checkpoint(plan_.checkpoint, run, atlas_, sink_.accumulator());
+        sums_->write(plan_.checkpoint, run, atlas_);
         checkpoint_seconds_ += watch.seconds();
         ++checkpoints_;
     }
 
     const TracePlan& plan_;
     shlm::MapRun run_;  ///< as it was when this command took over
-    shlm::Sink<Model> sink_;
+    std::unique_ptr<LightMapStore> sums_;
     shlm::TexelAtlas atlas_;
     double checkpoint_seconds_ = 0;
     int checkpoints_ = 0;
 };
 
 /// What the command says at its end.
-template <class Model>
-Json summary(const TracePlan& plan, const LoadedScene& loaded, const MapTrace<Model>& traced,
-             const common::TraceReport& report, double seconds) {
+Json summary(const TracePlan& plan, const LoadedScene& loaded, const MapTrace& traced,
+             const StoreFacts& facts, const common::TraceReport& report, double seconds) {
     const std::uint64_t hits = report.hits - traced.run().hits;
     Json all = {{"scene", loaded.name},
                 {"scene_fingerprint", traced.run().identity.scene},
@@ -186,12 +182,12 @@ Json summary(const TracePlan& plan, const LoadedScene& loaded, const MapTrace<Mo
                 {"first_photon", traced.run().first_photon},
                 {"photons", report.fates.emitted},
                 {"hits", report.hits},
-                {"hits_rejected", traced.sink().rejected().total()},
-                {"clamped_share", traced.sink().accumulator().clamped().discarded_share()},
+                {"hits_rejected", facts.rejected.total()},
+                {"clamped_share", facts.clamped_share},
                 {"resumed_at_hits", traced.run().hits},
                 {"seconds", seconds},
                 {"hits_per_second", static_cast<double>(hits) / seconds},
-                {"insert_bytes", traced.sink().bytes()},
+                {"insert_bytes", facts.bytes},
                 {"peak_resident_bytes", common::peak_resident_bytes()}};
     if (!plan.checkpoint.empty()) {
         all["checkpoint"] = plan.checkpoint.string();
@@ -228,63 +224,63 @@ void run(const TraceOptions& options) {
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
         const common::PhotonSource source(loaded.rays);
-        PreparedMethods prepared(loaded, plan.settings);
-        const ShlmMethod& light_map = *plan.method.light_map();
-        const shlm::PreparedTexels& texels = prepared.texels_of(light_map);
-        const shlm::MapIdentity identity = map_identity(light_map, prepared, source, options.run.seed);
-        with_model(light_map, [&](auto model) {
-            MapTrace<decltype(model)> traced(plan, identity, texels, source);
-            print_scene_warnings(loaded);
-            print_light_warnings(loaded, source);
-            print_lightmap_warnings(loaded, prepared);
-            if (!options.resume.empty() && traced.run().program != build_commit)
-                print_warning(loaded, fmt::format("{} was written by version {}, this is {}", options.resume,
-                                                  traced.run().program, build_commit));
-            const common::Stopwatch watch;
-            const common::TraceReport report = traced.trace(loaded, source);
-            if (report.interrupted) end_interrupted(plan, report);
-            Json all = summary(plan, loaded, traced, report, watch.seconds());
-            std::vector<std::string> warnings = loaded.scene.warnings;
-            const auto add = [&](const std::vector<std::string>& lines) {
-                warnings.insert(warnings.end(), lines.begin(), lines.end());
-            };
-            add(light_trouble(source));
-            add(prepared.lightmap_trouble());
-            const std::vector<std::string> of_run = run_trouble(report, traced.sink().rejected(), source);
-            add(of_run);
-            all["warnings"] = warnings;
-            for (const std::string& line : of_run) print_warning(loaded, line);
-            if (options.json)
-                common::print_result(fmt::format(
-                    "{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace)));  // odd file names
-            else
-                print(all);
-        });
+        PreparedScene prepared(loaded, plan.settings);
+        plan.method->prepare(prepared);
+        MapTrace traced(plan, plan.method.light_map()->identity(prepared, source, options.run.seed), prepared,
+                        source);
+        print_scene_warnings(loaded);
+        print_light_warnings(loaded, source);
+        print_lightmap_warnings(loaded, prepared);
+        if (!options.resume.empty() && traced.run().program != build_commit)
+            print_warning(loaded, fmt::format("{} was written by version {}, this is {}", options.resume,
+                                              traced.run().program, build_commit));
+        const common::Stopwatch watch;
+        const common::TraceReport report = traced.trace(loaded, source);
+        if (report.interrupted) end_interrupted(plan, report);
+        const double seconds = watch.seconds();
+        const StoreFacts facts = traced.facts();
+        Json all = summary(plan, loaded, traced, facts, report, seconds);
+        std::vector<std::string> warnings = loaded.scene.warnings;
+        const auto add = [&](const std::vector<std::string>& lines) {
+            warnings.insert(warnings.end(), lines.begin(), lines.end());
+        };
+        add(light_trouble(source));
+        add(prepared.lightmap_trouble());
+        const std::vector<std::string> of_run = run_trouble(report, facts.rejected, source);
+        add(of_run);
+        all["warnings"] = warnings;
+        for (const std::string& line : of_run) print_warning(loaded, line);
+        if (options.json)
+            common::print_result(fmt::format(
+                "{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace)));  // odd file names
+        else
+            print(all);
     });
 }
 
-}  // namespace
+const RegisteredCommand registered(
+    3, {.name = "trace",
+        .purpose = "Fill a light map with any number of hits, kept in a file on the way",
+        .add_to = [](Command& command) -> std::function<void()> {
+            const auto options = std::make_shared<TraceOptions>();
+            command.option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb", Need::required);
+            command.option("--method", options->method, "Which light map: shlm/...");
+            command.option("--hits", options->hits,
+                           "Trace until there are at least this many hits, e.g. 1e9");
+            command.option("--photons", options->photons, "Trace exactly this many photons");
+            command.option("--first-photon", options->first_photon,
+                           "Begin at this photon of the run: for pieces that are merged later");
+            command.option("--checkpoint", options->checkpoint, "Keep the sums in this file, .exr");
+            command.option("--every", options->every, "How often to write it: 60s, 5min, 1h");
+            command.option("--resume", options->resume,
+                           "Go on from this file, and in it unless --checkpoint names another");
+            options->scene.add_to(command);
+            options->texels.add_to(command);
+            options->run.add_to(command);
+            command.flag("--json", options->json, "Print JSON");
+            return [options] { run(*options); };
+        }});
 
-void add_trace_command(CLI::App& app) {
-    const auto options = std::make_shared<TraceOptions>();
-    CLI::App* command =
-        app.add_subcommand("trace", "Fill a light map with any number of hits, kept in a file on the way");
-    command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
-    command->add_option("--method", options->method, "Which light map: shlm/...")->capture_default_str();
-    command->add_option("--hits", options->hits, "Trace until there are at least this many hits, e.g. 1e9");
-    command->add_option("--photons", options->photons, "Trace exactly this many photons");
-    command->add_option("--first-photon", options->first_photon,
-                        "Begin at this photon of the run: for pieces that are merged later");
-    command->add_option("--checkpoint", options->checkpoint, "Keep the sums in this file, .exr");
-    command->add_option("--every", options->every, "How often to write it: 60s, 5min, 1h")
-        ->capture_default_str();
-    command->add_option("--resume", options->resume,
-                        "Go on from this file, and in it unless --checkpoint names another");
-    options->scene.add_to(*command);
-    options->texels.add_to(*command);
-    options->run.add_to(*command);
-    command->add_flag("--json", options->json, "Print JSON");
-    command->callback([options] { run(*options); });
-}
+}  // namespace
 
 }  // namespace bench

@@ -111,7 +111,7 @@ std::vector<std::string> run_trouble(const common::TraceReport& trace, const com
     return lines;
 }
 
-void print_lightmap_warnings(const LoadedScene& scene, const PreparedMethods& prepared) {
+void print_lightmap_warnings(const LoadedScene& scene, const PreparedScene& prepared) {
     for (const std::string& line : prepared.lightmap_trouble()) print_warning(scene, line);
 }
 

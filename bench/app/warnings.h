@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/app/methods.h"
+#include "bench/contenders/contender.h"
 #include "common/estimator/irradiance_estimator.h"
 #include "common/tracer/trace_report.h"
 
@@ -32,6 +32,6 @@ void print_light_warnings(const LoadedScene& scene, const common::PhotonSource& 
                                                    const common::PhotonSource& source);
 
 /// What stands in the way of light maps.
-void print_lightmap_warnings(const LoadedScene& scene, const PreparedMethods& prepared);
+void print_lightmap_warnings(const LoadedScene& scene, const PreparedScene& prepared);
 
 }  // namespace bench

@@ -1,16 +1,15 @@
-#include "bench/bases/bases.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "bench/app/ending.h"
-#include "bench/app/number_options.h"
 #include "bench/app/output_folder.h"
 #include "bench/app/python.h"
-#include "bench/app/run_options.h"
 #include "bench/bases/bases_table.h"
+#include "bench/setup/command.h"
+#include "bench/setup/numbers.h"
+#include "bench/setup/run_options.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/output_lock.h"
@@ -64,16 +63,18 @@ void run(const BasesOptions& options) {
     common::print_result(fmt::format("{}\n{}\n", bases_as_text(figures), (folder / "bases.json").string()));
 }
 
-}  // namespace
+const RegisteredCommand registered(
+    9, {.name = "bases",
+        .purpose = "Say what a texel's basis loses at tilted normals, without a scene",
+        .add_to = [](Command& command) -> std::function<void()> {
+            const auto options = std::make_shared<BasesOptions>();
+            command.whole_number("--environments", options->environments, "Random environments of each kind");
+            add_seed_option(command, options->seed);
+            command.option("--out", options->out, "Folder for bases.json, bases.md and charts",
+                           Need::required);
+            return [options] { run(*options); };
+        }});
 
-void add_bases_command(CLI::App& app) {
-    const auto options = std::make_shared<BasesOptions>();
-    CLI::App* command =
-        app.add_subcommand("bases", "Say what a texel's basis loses at tilted normals, without a scene");
-    add_whole_number(*command, "--environments", options->environments, "Random environments of each kind");
-    add_seed_option(*command, options->seed);
-    command->add_option("--out", options->out, "Folder for bases.json, bases.md and charts")->required();
-    command->callback([options] { run(*options); });
-}
+}  // namespace
 
 }  // namespace bench

@@ -1,8 +1,7 @@
 #include "bench/bases/basis.h"
 
 #include "shlm/ambient_and_direction.h"
-#include "shlm/hemisphere_six.h"
-#include "shlm/luminance_four.h"
+#include "shlm/hemisphere_four.h"
 #include "shlm/luminance_nine.h"
 
 namespace bench {
@@ -21,11 +20,9 @@ template <class Number>
 std::vector<Basis> ladder(const std::string& suffix) {
     return {basis<shlm::Harmonics<0>, normalised, Number>("L0/normalised" + suffix),
             basis<shlm::AmbientAndDirection, radiance, Number>("AD/radiance" + suffix),
-            basis<shlm::LuminanceFour, radiance, Number>("YH4/radiance" + suffix),
             basis<shlm::LuminanceNine, radiance, Number>("YL2/radiance" + suffix),
             basis<shlm::Harmonics<1>, radiance, Number>("L1/radiance" + suffix),
             basis<shlm::HemisphereFour, radiance, Number>("H4/radiance" + suffix),
-            basis<shlm::HemisphereSix, radiance, Number>("H6/radiance" + suffix),
             basis<shlm::Harmonics<2>, radiance, Number>("L2/radiance" + suffix),
             basis<shlm::Harmonics<4>, radiance, Number>("L4/radiance" + suffix)};
 }

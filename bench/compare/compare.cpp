@@ -1,8 +1,5 @@
-#include "bench/compare/compare.h"
 
 #include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
 
 #include "bench/app/ending.h"
 #include "bench/app/output_folder.h"
@@ -11,6 +8,8 @@
 #include "bench/compare/compare_plan.h"
 #include "bench/compare/compare_size.h"
 #include "bench/compare/result_table.h"
+#include "bench/contenders/picture.h"
+#include "bench/setup/command.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/output_lock.h"
@@ -27,7 +26,7 @@ constexpr int image_width = 640, image_height = 360;
 
 /// A method's picture of the scene, at the most hits that the method was run with.
 struct Picture {
-    Method method;
+    Contender method;
     std::uint64_t hits = 0;
     fs::path file;
 };
@@ -35,10 +34,8 @@ struct Picture {
 std::vector<Picture> pictures_of(const ComparePlan& plan, const std::string& scene,
                                  const nlohmann::ordered_json& rows) {
     std::vector<Picture> pictures;
-    for (const Method& method : plan.methods) {
-        if (const auto* photon_map = method.photon_map();
-            photon_map && photon_map->engine == PhotonMapEngine::flann_incremental)
-            continue;  // photonmap/flann's picture, slower
+    for (const Contender& method : plan.methods) {
+        if (method->fields()["engine"] == "flann-incremental") continue;  // photonmap/flann's picture, slower
         Picture picture{method, 0, {}};
         for (const auto& row : rows)
             if (row["scene"] == scene && row["method"] == method.name && !row.contains("skipped"))
@@ -61,10 +58,9 @@ void draw(const ComparePlan& plan, const CompareScene& scene, const std::vector<
     float exposure = 0;
     for (const Picture& picture : pictures) {
         const auto go_on = [](const common::TraceReport&) { return !common::interrupted(); };
-        const Workload workload{scene.loaded, scene.source,           scene.queries,
-                                plan.seed,    {.hits = picture.hits}, go_on};
+        const TracedRun run{scene.loaded.rays, scene.source, plan.seed, {.hits = picture.hits}, go_on};
         const common::Image image =
-            render_method(picture.method, scene.prepared, workload, pixels, image_width, image_height);
+            render_run(picture.method, scene.prepared, run, pixels, image_width, image_height);
         if (common::interrupted()) return;
         if (exposure == 0) exposure = common::middle_grey_exposure(image);
         common::write_png(picture.file, image, exposure);
@@ -76,7 +72,7 @@ bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable
     const LoadedScene loaded(file, plan.scene);
     const common::PhotonSource source(loaded.rays);
     const QueryPoints queries = visible_query_points(loaded, plan.seed);
-    PreparedMethods prepared(loaded, plan.settings);
+    PreparedScene prepared(loaded, plan.settings);
     print_scene_warnings(loaded);
     print_light_warnings(loaded, source);
     print_lightmap_warnings(loaded, prepared);
@@ -84,9 +80,9 @@ bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable
     table.keep_one_version_of(loaded.name, scene.fingerprint);
     bool anything_new = false;
     for (std::uint64_t hits : plan.hits) {
-        std::vector<Method> methods;
+        std::vector<Contender> methods;
         std::copy_if(plan.methods.begin(), plan.methods.end(), std::back_inserter(methods),
-                     [&](const Method& method) { return !table.has(loaded.name, method.name, hits); });
+                     [&](const Contender& method) { return !table.has(loaded.name, method.name, hits); });
         if (methods.empty()) continue;
         const SizeResult result = compare_size(plan, scene, methods, hits);
         table.add(result.rows);
@@ -128,14 +124,15 @@ void run(const CompareOptions& options) {
     });
 }
 
-}  // namespace
+const RegisteredCommand registered(6,
+                                   {.name = "compare",
+                                    .purpose = "Measure the methods side by side as the number of hits grows",
+                                    .add_to = [](Command& command) -> std::function<void()> {
+                                        const auto options = std::make_shared<CompareOptions>();
+                                        options->add_to(command);
+                                        return [options] { run(*options); };
+                                    }});
 
-void add_compare_command(CLI::App& app) {
-    const auto options = std::make_shared<CompareOptions>();
-    CLI::App* command =
-        app.add_subcommand("compare", "Measure the methods side by side as the number of hits grows");
-    options->add_to(*command);
-    command->callback([options] { run(*options); });
-}
+}  // namespace
 
 }  // namespace bench

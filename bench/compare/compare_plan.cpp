@@ -2,29 +2,27 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
-#include "bench/app/memory_need.h"
-#include "bench/app/number_options.h"
 #include "bench/app/output_folder.h"
+#include "bench/contenders/memory_need.h"
+#include "bench/setup/command.h"
+#include "bench/setup/numbers.h"
 #include "common/core/input_error.h"
 #include "common/gltf/source_files.h"
 
 namespace bench {
-void CompareOptions::add_to(CLI::App& command) {
-    command.add_option("SCENE", files, "glTF 2.0 files, .gltf or .glb")->required();
-    command.add_option("--hits", hits, "Numbers of hits, separated by commas")->capture_default_str();
-    command.add_option("--methods", methods, "Methods, separated by commas")->capture_default_str();
-    command.add_option("--out", out, "Folder for compare.json, compare.csv, charts and images")
-        ->capture_default_str();
-    command.add_option(
+void CompareOptions::add_to(Command& command) {
+    command.option("SCENE", files, "glTF 2.0 files, .gltf or .glb", Need::required);
+    command.option("--hits", hits, "Numbers of hits, separated by commas");
+    command.option("--methods", methods, "Methods, separated by commas");
+    command.option("--out", out, "Folder for compare.json, compare.csv, charts and images");
+    command.option(
         "--max-memory", max_memory,
         "Methods that would need more are not started, and ended where they grow past it; default: 9/10 "
         "of what is free");
-    add_whole_number(command, "--repetitions", repetitions,
-                     "Runs of each method, interleaved; the table has medians");
-    add_number(command, "--seconds-per-size", seconds_per_size,
-               "Fewer repetitions where one scene and number of hits would take longer");
+    command.whole_number("--repetitions", repetitions,
+                         "Runs of each method, interleaved; the table has medians");
+    command.number("--seconds-per-size", seconds_per_size,
+                   "Fewer repetitions where one scene and number of hits would take longer");
     scene.add_to(command);
     method_options.add_to(command);
     run.add_to(command);
@@ -34,7 +32,7 @@ ComparePlan make_plan(const CompareOptions& options) {
     require_different_names(options.files);
     ComparePlan plan{.files = options.files,
                      .hits = parse_sizes("--hits", parse_list("--hits", options.hits)),
-                     .methods = parse_methods("--methods", parse_list("--methods", options.methods)),
+                     .methods = parse_contenders("--methods", parse_list("--methods", options.methods)),
                      .out = options.out,
                      .max_bytes = options.max_memory.empty()
                                       ? default_max_bytes()

@@ -6,11 +6,8 @@
 #include <vector>
 
 #include "bench/app/method_options.h"
-#include "bench/app/run_options.h"
-
-namespace CLI {
-class App;
-}
+#include "bench/setup/command.h"
+#include "bench/setup/run_options.h"
 
 namespace bench {
 
@@ -26,19 +23,19 @@ struct CompareOptions {
     MethodOptions method_options;
     RunOptions run;
 
-    void add_to(CLI::App& command);
+    void add_to(Command& command);
 };
 
 struct ComparePlan {
     std::vector<std::string> files;
     std::vector<std::uint64_t> hits;  ///< ascending, each once
-    std::vector<Method> methods;
+    std::vector<Contender> methods;
     std::filesystem::path out;  ///< exists and can be written to
     std::size_t max_bytes;
     std::size_t repetitions;
     double seconds_per_size;  ///< no repetition is begun that would take one scene and size past this
     SceneOptions scene;
-    MethodSettings settings;
+    ContenderSettings settings;
     int threads;
     std::uint64_t seed;
 };

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "bench/app/memory_need.h"
+#include "bench/contenders/memory_need.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
@@ -14,7 +14,7 @@ namespace bench {
 namespace {
 
 /// The row of a method before anything has been measured, with the reason where it will not be run.
-RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const Method& method,
+RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const Contender& method,
                    std::uint64_t hits) {
     RowInput row{.scene = scene.loaded.name,
                  .fingerprint = scene.fingerprint,
@@ -29,9 +29,9 @@ RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const Met
                  .needed_bytes = needed_bytes(method, plan.settings, hits),
                  .max_bytes = plan.max_bytes,
                  .skipped = reason_to_skip(method, plan.settings, hits, plan.max_bytes)};
-    if (!row.skipped.empty() || !method.light_map()) return row;
+    if (!row.skipped.empty()) return row;
     try {
-        row.texels = scene.prepared.texels_of(*method.light_map()).layout.texel_count();
+        row.texels = method->texel_count(scene.prepared);
     } catch (const common::InputError& e) {
         row.skipped = e.what();
     }
@@ -85,9 +85,9 @@ void warm_up(const ComparePlan& plan, const CompareScene& scene, std::uint64_t h
 }  // namespace
 
 SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
-                        const std::vector<Method>& methods, std::uint64_t hits) {
+                        const std::vector<Contender>& methods, std::uint64_t hits) {
     std::vector<RowInput> rows;
-    for (const Method& method : methods) rows.push_back(begin_row(plan, scene, method, hits));
+    for (const Contender& method : methods) rows.push_back(begin_row(plan, scene, method, hits));
 
     SizeResult result;
     const auto anything = [&] {

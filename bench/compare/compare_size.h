@@ -14,7 +14,7 @@ struct CompareScene {
     const LoadedScene& loaded;
     const common::PhotonSource& source;
     const QueryPoints& queries;
-    PreparedMethods& prepared;
+    PreparedScene& prepared;
     std::string fingerprint;  ///< see common/scene/fingerprint.h
 };
 
@@ -25,6 +25,6 @@ struct SizeResult {
 
 /// Runs the methods interleaved, each repetition beginning with another one, next to the null sink.
 [[nodiscard]] SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
-                                      const std::vector<Method>& methods, std::uint64_t hits);
+                                      const std::vector<Contender>& methods, std::uint64_t hits);
 
 }  // namespace bench

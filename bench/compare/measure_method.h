@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/app/methods.h"
 #include "bench/compare/query_points.h"
-#include "common/image/render.h"
+#include "bench/contenders/contender.h"
 #include "common/tracer/trace_photons.h"
 
 namespace bench {
@@ -45,16 +44,10 @@ struct Workload {
 /// Uses the threads of the calling arena for all but the gathers. An interrupted run has trace.interrupted
 /// set and nothing after the trace. So has one that grows past max_bytes or finds no more memory, which is
 /// looked at after each wave of hits and after the build.
-[[nodiscard]] Measurement measure_method(const Method& method, PreparedMethods& prepared,
+[[nodiscard]] Measurement measure_method(const Contender& contender, PreparedScene& scene,
                                          const Workload& workload);
 
 /// The same trace without a store.
 [[nodiscard]] common::TraceReport measure_null_sink(const Workload& workload);
-
-/// An untimed run of the method, and its picture; an empty one where the run was interrupted.
-[[nodiscard]] common::Image render_method(const Method& method, PreparedMethods& prepared,
-                                          const Workload& workload,
-                                          std::span<const common::VisibleSurface> pixels, int width,
-                                          int height);
 
 }  // namespace bench

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "bench/app/scene_options.h"
+#include "bench/setup/scene_options.h"
 
 namespace bench {
 

@@ -14,7 +14,7 @@ namespace bench {
 struct RowInput {
     std::string scene;
     std::string fingerprint;  ///< of the scene, see common/scene/fingerprint.h
-    Method method;
+    Contender method;
     std::uint64_t hits_asked = 0;
     std::uint64_t seed = 0;
     int threads = 1;

@@ -10,9 +10,8 @@ namespace {
 
 // --- the list: a line more here is all that another basis, gather or kernel takes
 
-const std::vector<std::string> bases = {"L0/normalised", "AD/radiance", "YL2/radiance",
-                                        "L1/radiance",   "H4/radiance", "L2/radiance",
-                                        "L2/normalised", "L4/radiance", "L4/normalised"};
+const std::vector<std::string> bases = {"L0/normalised", "AD/radiance",   "YL2/radiance", "H4/radiance",
+                                        "L2/radiance",   "L2/normalised", "L4/radiance",  "L4/normalised"};
 const std::vector<std::string> gathers = {"own", "bilinear", "bilinear/face", "surface4", "surface8"};
 const std::vector<std::string> sharing_bases = {"L0/normalised", "AD/radiance", "YL2/radiance", "L2/radiance",
                                                 "L4/radiance"};

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/app/method.h"
+#include "bench/contenders/contender.h"
 
 namespace bench::fit {
 
@@ -30,8 +30,9 @@ struct Candidate {
     double value;        ///< as the kind says
     double texels = 0;   ///< of an adaptive map: its smallest blocks
 
-    /// As parse_method reads it.
+    /// As parse_contender reads it.
     [[nodiscard]] std::string name(std::uint64_t hits) const;
+    [[nodiscard]] Contender contender(std::uint64_t hits) const { return parse_contender("fit", name(hits)); }
 
     /// What all candidates have in common with which it differs in `value` alone; one that changes with the
     /// hits is alone in its.
@@ -52,7 +53,7 @@ struct Candidate {
     }
 };
 
-/// The k nearest are as many as parse_method takes, and enough for their noise to be 1 / k.
+/// The k nearest are as many as parse_contender takes, and enough for their noise to be 1 / k.
 inline constexpr double least_nearest = 8, most_nearest = 100'000;
 
 /// k of a share at so many hits, at least 2.

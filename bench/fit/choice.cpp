@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/app/memory_need.h"
+#include "bench/contenders/memory_need.h"
 
 namespace bench::fit {
 namespace {
@@ -19,8 +19,7 @@ const char* kind_name(bool light_maps) {
 }
 
 std::string target_text(const FitGoal& goal) {
-    return goal.metric == Metric::flip ? fmt::format("a FLIP of {:g}", goal.target)
-                                       : fmt::format("{:g} %", 100 * goal.target);
+    return fmt::format("{:g} %", 100 * goal.target);
 }
 
 /// Of seconds or bytes, as the goal has it; where these are the same, the other. Not seconds but hits after
@@ -55,7 +54,7 @@ std::string beyond(const Knowledge& known, const FitGoal& goal, const Proposal& 
     if (proposal.cost.seconds > goal.budget_seconds)
         return fmt::format("{:.3g} s, and --time is {:.3g} s", proposal.cost.seconds, goal.budget_seconds);
     const auto hits = static_cast<std::uint64_t>(proposal.hits);
-    const Method method = parse_method("fit", known.candidates[proposal.candidate].name(hits));
+    const Contender method = known.candidates[proposal.candidate].contender(hits);
     const std::string memory = reason_to_skip(method, known.settings, hits, known.max_bytes);
     return memory.empty() ? "" : fmt::format("memory: {} with {:.3g} hits", memory, proposal.hits);
 }
@@ -93,14 +92,7 @@ Choice out_of_reach(const Knowledge& known, const FitGoal& goal, bool light_maps
     }
     const std::string name =
         known.candidates[choice.proposal.candidate].name(static_cast<std::uint64_t>(choice.proposal.hits));
-    if (goal.metric == Metric::flip)
-        choice.reason = fmt::format(
-            "a FLIP of {:g} is out of reach as far as the pilot can tell: {}, the nearest of all {}s, has up "
-            "to {:.3g} "
-            "without any noise",
-            goal.target, name, kind_name(light_maps), least);
-    else
-        choice.reason = bias_forbids(choice.proposal, name, goal, light_maps);
+    choice.reason = bias_forbids(choice.proposal, name, goal, light_maps);
     return choice;
 }
 
@@ -136,7 +128,6 @@ Choice choose(const Knowledge& known, const FitGoal& goal, bool light_maps) {
 }
 
 bool is_sure(const FitGoal& goal, const Choice& choice) {
-    if (goal.metric == Metric::flip) return true;  // a mean over pixels of what is seen, not of squares
     const ErrorModel& model = choice.proposal.model;
     return !choice.reached || z_of(goal, model) * model.deviation(choice.proposal.hits) <=
                                   most_doubt * goal.target * goal.target;

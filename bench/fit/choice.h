@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "bench/app/methods.h"
+#include "bench/contenders/contender.h"
 #include "bench/fit/cost_model.h"
 #include "bench/fit/needed_hits.h"
 
@@ -13,7 +13,7 @@ namespace bench::fit {
 struct Proposal {
     std::size_t candidate = 0;
     double hits = 0;
-    std::optional<double> expected;  ///< the metric; none where no number of hits reaches the target
+    std::optional<double> expected;  ///< the error; none where no number of hits reaches the target
     ErrorModel model;
     FitCost cost;
 };
@@ -31,7 +31,7 @@ struct Knowledge {
     const SelfEstimates& estimates;
     std::span<const NeededHits> needed;
     std::span<const std::optional<PilotCost>> costs;
-    const MethodSettings& settings;
+    const ContenderSettings& settings;
     std::size_t max_bytes;  ///< that a method may need while it is made
 };
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-#include "bench/app/finished_map.h"
+#include "bench/contenders/adaptive_map.h"
+#include "bench/contenders/light_map_names.h"
+#include "bench/contenders/light_map_store.h"
 #include "bench/fit/traced_run.h"
 #include "common/core/input_error.h"
 #include "common/view/visible_surfaces.h"
@@ -50,26 +52,18 @@ std::vector<SurfaceError> surface_errors(const FitResult& result, const PilotSub
     return surfaces;
 }
 
-/// What the pilot's seed brings to the texels of a method.
-template <class Model>
-struct TracedSums {
-    shlm::Sink<Model> sink;
-    common::TraceReport trace;
-};
-
-template <class Model>
-TracedSums<Model> traced_sums(const Method& method, std::uint64_t hits, const PilotSubject& subject) {
-    TracedSums<Model> sums{{subject.prepared.texels_of(*method.light_map()), shlm::OwnTexel{},
-                            shlm::Quantum(subject.source.power())},
-                           {}};
-    sums.trace =
-        traced_run(method.name, subject.loaded, subject.source, subject.seed, {.hits = hits}, sums.sink);
-    return sums;
+/// What the pilot's seed brings to a contender's store.
+std::pair<FilledStore, common::TraceReport> filled(const Contender& contender, std::uint64_t hits,
+                                                   const PilotSubject& subject) {
+    FilledStore store({contender}, subject.prepared, subject.source);
+    const common::TraceReport trace = traced_run(contender.name, subject.loaded, subject.source, subject.seed,
+                                                 {.hits = hits}, std::span(&store, 1));
+    return {std::move(store), trace};
 }
 
-shlm::AdaptiveMap traced_map(const Method& method, std::uint64_t hits, const PilotSubject& subject) {
-    const auto [sink, trace] = traced_sums<shlm::AdaptiveModel>(method, hits, subject);
-    return adaptive_map(*method.light_map(), search_blocks(sink, trace), sink.texels().layout);
+shlm::AdaptiveMap traced_map(const Contender& contender, std::uint64_t hits, const PilotSubject& subject) {
+    const auto [store, trace] = filled(contender, hits, subject);
+    return dynamic_cast<const AdaptiveLightMap&>(*contender.technique).map_of(*store.store, trace);
 }
 
 /// Of texels that are covered whole, as an adaptive map counts its blocks' widths; world units.
@@ -86,21 +80,32 @@ std::vector<float> widths_of_whole_texels(const shlm::PreparedTexels& texels) {
     return width;
 }
 
+using HitCounts = shlm::TexelModel<0, shlm::ShWeight::normalised>;
+
+/// What only counts the hits of the same texels.
+Contender hit_counter(const LightMapTechnique& light_map) {
+    TexelSetting setting = light_map.setting();
+    setting.basis = &basis_named("L0");
+    setting.weight = HitCounts::weight;
+    const auto technique = std::make_shared<UniformLightMap>(setting, 0, false);
+    return {technique->name(), technique};
+}
+
 /// Of the blocks that texels show, by texel; of those of an adaptive map, were they one texel. World units.
-std::vector<float> widths_of_blocks(const Candidate& candidate, const Method& method, std::uint64_t hits,
+std::vector<float> widths_of_blocks(const Candidate& candidate, const Contender& method, std::uint64_t hits,
                                     const PilotSubject& subject) {
-    const shlm::PreparedTexels& texels = subject.prepared.texels_of(*method.light_map());
+    const shlm::PreparedTexels& texels = method.light_map()->texels_of(subject.prepared);
     if (candidate.is_adaptive()) return widths_of_whole_texels(texels);
     std::vector<float> width;
     for (const shlm::TexelGeometry& texel : texels.geometry) width.push_back(std::sqrt(texel.area));
     if (candidate.kind != CandidateKind::sharing_map) return width;
-    using HitCounts = shlm::TexelModel<0, shlm::ShWeight::normalised>;
-    const auto counted = traced_sums<HitCounts>(method, hits, subject);
+    const auto& sharing = dynamic_cast<const UniformLightMap&>(*method.technique);
+    const auto [store, trace] = filled(hit_counter(sharing), hits, subject);
+    const auto& counts = static_cast<const SumsStore<HitCounts>&>(*store.store).sink().accumulator().sums();
     const auto show = [&](std::uint32_t texel, const auto&, double area) {
         width[texel] = static_cast<float>(std::sqrt(area));
     };
-    shlm::TexelBlocks(counted.sink.accumulator().sums(), texels, method.light_map()->least_hits, show)
-        .show_all();
+    shlm::TexelBlocks(counts, texels, sharing.least_hits(), show).show_all();
     return width;
 }
 
@@ -128,8 +133,8 @@ Explanation explain(const FitResult& result, const PilotSubject& subject) {
     if (choice.hits == 0) throw common::InputError("--explain: no light map could be measured");
     const Candidate& candidate = result.candidates[choice.candidate];
     const auto hits = static_cast<std::uint64_t>(choice.hits);
-    const Method method = parse_method("fit", candidate.name(hits));
-    const shlm::TexelLayout& layout = subject.prepared.texels_of(*method.light_map()).layout;
+    const Contender method = candidate.contender(hits);
+    const shlm::TexelLayout& layout = method.light_map()->texels_of(subject.prepared).layout;
     const std::vector<float> width = widths_of_blocks(candidate, method, hits, subject);
     std::optional<shlm::AdaptiveMap> adaptive;
     if (candidate.is_adaptive()) adaptive = traced_map(method, hits, subject);

@@ -1,8 +1,6 @@
-#include "bench/fit/fit.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "bench/app/output_folder.h"
@@ -10,6 +8,7 @@
 #include "bench/app/warnings.h"
 #include "bench/fit/explanation_table.h"
 #include "bench/fit/fit_table.h"
+#include "bench/setup/command.h"
 #include "common/core/input_error.h"
 #include "common/core/output_lock.h"
 #include "common/core/standard_streams.h"
@@ -81,7 +80,7 @@ void say(const FitPlan& plan, const fit::FitGoal& goal, const FitDocuments& docu
 }
 
 void fit_all(const FitPlan& plan, const LoadedScene& loaded, const common::PhotonSource& source,
-             PreparedMethods& prepared, StudyScene* with_reference, bool as_json) {
+             PreparedScene& prepared, StudyScene* with_reference, bool as_json) {
     print_scene_warnings(loaded);
     print_light_warnings(loaded, source);
     print_lightmap_warnings(loaded, prepared);
@@ -98,7 +97,7 @@ void fit_all(const FitPlan& plan, bool as_json) {
     }
     const LoadedScene loaded(plan.file, plan.scene);
     const common::PhotonSource source(loaded.rays);
-    PreparedMethods prepared(loaded, plan.settings);
+    PreparedScene prepared(loaded, plan.settings);
     fit_all(plan, loaded, source, prepared, nullptr, as_json);
 }
 
@@ -114,14 +113,15 @@ void run(const FitOptions& options) {
     pool.run([&] { fit_all(plan, options.json); });
 }
 
-}  // namespace
+const RegisteredCommand registered(
+    11, {.name = "fit",
+         .purpose = "Find the settings that reach an error at least cost, without seeing a reference",
+         .add_to = [](Command& command) -> std::function<void()> {
+             const auto options = std::make_shared<FitOptions>();
+             options->add_to(command);
+             return [options] { run(*options); };
+         }});
 
-void add_fit_command(CLI::App& app) {
-    const auto options = std::make_shared<FitOptions>();
-    CLI::App* command = app.add_subcommand(
-        "fit", "Find the settings that reach an error at least cost, without seeing a reference");
-    options->add_to(*command);
-    command->callback([options] { run(*options); });
-}
+}  // namespace
 
 }  // namespace bench

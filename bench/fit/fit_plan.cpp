@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
-#include "bench/app/memory_need.h"
-#include "bench/app/number_options.h"
 #include "bench/app/output_folder.h"
+#include "bench/contenders/memory_need.h"
 #include "bench/fit/search.h"
+#include "bench/setup/command.h"
+#include "bench/setup/numbers.h"
 #include "bench/stability/significance.h"
 #include "common/core/input_error.h"
 #include "common/gltf/source_files.h"
@@ -24,9 +23,6 @@ fit::FitGoal goal_of(const FitOptions& options, const std::string& target, const
                       .z = z_for(2 * (1 - confidence)),
                       .z_of_tries = z_for(2 * (1 - confidence) / tries),
                       .max_hits = static_cast<double>(parse_count("--max-hits", options.max_hits))};
-    if (options.metric != "relmse" && options.metric != "flip")
-        throw common::InputError(fmt::format("--metric: '{}' is neither relmse nor flip", options.metric));
-    if (options.metric == "flip") goal.metric = fit::Metric::flip;
     if (least != "time" && least != "bytes")
         throw common::InputError(fmt::format("--least: '{}' is neither time nor bytes", least));
     goal.least_bytes = least == "bytes";
@@ -60,38 +56,31 @@ std::filesystem::path FitPlan::folder_of(const fit::FitGoal& goal) const {
     return *out / fmt::format("{:g}-{}", 100 * goal.target, goal.least());
 }
 
-void FitOptions::add_to(CLI::App& command) {
-    command.add_option("SCENE", file, "glTF 2.0 file, .gltf or .glb");
-    command.add_option(
+void FitOptions::add_to(Command& command) {
+    command.option("SCENE", file, "glTF 2.0 file, .gltf or .glb");
+    command.option(
         "--target", targets,
         "The errors to reach, such as 10%,5%; pilots are shared, and --out gets a folder for each");
-    command.add_option("--metric", metric, "Of the target: relmse, the root of it, or flip, 5% being 0.05")
-        ->capture_default_str();
-    command
-        .add_option("--least", least,
-                    "What is to be as little as can be: time, bytes, or time,bytes, one after the other")
-        ->capture_default_str();
-    command.add_option("--budget-bytes", budget_bytes, "Finished maps must be no larger, such as 100MiB");
-    command.add_option("--time", budget_time, "Runs must be no longer, such as 30s");
-    command.add_option("--max-hits", max_hits, "Runs must have no more hits")->capture_default_str();
-    command.add_option("--pilot", pilot, "Hits of each of the two halves of the pilot, at most")
-        ->capture_default_str();
-    command.add_option("--max-memory", max_memory,
-                       "Methods that would need more are not considered; default: 9/10 of what is free");
-    command.add_option("--verify", verify,
-                       "A reference of the scene: then trace what was chosen and measure its error");
-    add_whole_number(command, "--seeds", seeds, "Runs of each verification, other seeds than the pilot's");
-    command.add_option(
+    command.option("--least", least,
+                   "What is to be as little as can be: time, bytes, or time,bytes, one after the other");
+    command.option("--budget-bytes", budget_bytes, "Finished maps must be no larger, such as 100MiB");
+    command.option("--time", budget_time, "Runs must be no longer, such as 30s");
+    command.option("--max-hits", max_hits, "Runs must have no more hits");
+    command.option("--pilot", pilot, "Hits of each of the two halves of the pilot, at most");
+    command.option("--max-memory", max_memory,
+                   "Methods that would need more are not considered; default: 9/10 of what is free");
+    command.option("--verify", verify,
+                   "A reference of the scene: then trace what was chosen and measure its error");
+    command.whole_number("--seeds", seeds, "Runs of each verification, other seeds than the pilot's");
+    command.option(
         "--out", out,
         "Folder for fit.json, fit.md, models.json (what is known of every candidate) and the picture of "
         "--explain");
-    command.add_flag(
-        "--explain", explain,
-        "Say for each surface what the light map keeps there and what of its error arises there; "
-        "draw it, with --out");
-    command.add_flag("--json", json, "Print JSON");
-    command.add_flag("--list", list,
-                     "Print the methods of the grid, for shlmbench study, and do nothing else");
+    command.flag("--explain", explain,
+                 "Say for each surface what the light map keeps there and what of its error arises there; "
+                 "draw it, with --out");
+    command.flag("--json", json, "Print JSON");
+    command.flag("--list", list, "Print the methods of the grid, for shlmbench study, and do nothing else");
     scene.add_to(command);
     run.add_to(command);
 }

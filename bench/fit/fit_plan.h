@@ -5,18 +5,15 @@
 #include <optional>
 #include <string>
 
-#include "bench/app/run_options.h"
-#include "bench/app/scene_options.h"
 #include "bench/fit/choice.h"
-
-namespace CLI {
-class App;
-}
+#include "bench/setup/command.h"
+#include "bench/setup/run_options.h"
+#include "bench/setup/scene_options.h"
 
 namespace bench {
 
 struct FitOptions {
-    std::string file, metric = "relmse", budget_bytes, budget_time, max_hits = "1e9", pilot = "1.28e8";
+    std::string file, budget_bytes, budget_time, max_hits = "1e9", pilot = "1.28e8";
     std::vector<std::string> targets, least = {"time"};
     std::string max_memory, verify, out;
     std::size_t seeds = 3;
@@ -24,7 +21,7 @@ struct FitOptions {
     SceneOptions scene;
     RunOptions run;
 
-    void add_to(CLI::App& command);
+    void add_to(Command& command);
 };
 
 struct FitPlan {
@@ -38,7 +35,7 @@ struct FitPlan {
     std::optional<std::filesystem::path> out;        ///< exists and can be written to; a folder in it for
                                                      ///< each of several goals
     SceneOptions scene;
-    MethodSettings settings;
+    ContenderSettings settings;
     std::uint64_t seed;
     int threads;
 

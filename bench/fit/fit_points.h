@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "bench/app/scene_options.h"
 #include "bench/fit/tiling.h"
+#include "bench/setup/scene_options.h"
 
 namespace bench::fit {
 

@@ -58,7 +58,6 @@ Json runs_as_json(std::span<const fit::VerifiedRun> runs) {
                        {"hits", run.hits},
                        {"error", run.error},
                        {"worst_share", run.worst_share},
-                       {"flip", run.flip},
                        {"seconds", run.seconds},
                        {"bytes", run.bytes}});
     return all;
@@ -122,17 +121,9 @@ constexpr const char* text_row =
 constexpr const char* markdown_row =
     "| {} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.4g} |\n";
 
-bool is_by_flip(const Json& document) {
-    return document["metric"].get<std::string>() == "FLIP";
-}
-
-/// What the metric is expected to be, where that is not the error; whether chance made the choice; and what
-/// was measured.
-std::string measured_text(const Json& document, const Json& entry) {
+/// Whether chance made the choice, and what was measured.
+std::string measured_text(const Json& entry) {
     std::string text;
-    const bool by_flip = is_by_flip(document);
-    if (by_flip && entry.contains("choice"))
-        text = fmt::format("expected: FLIP {:.3g}", entry["choice"]["expected"].get<double>());
     if (!entry["sure"].get<bool>())
         text = "unsure: chance has a large part in the estimate; a larger --pilot knows more";
     if (!entry.contains("verified")) return text;
@@ -140,7 +131,6 @@ std::string measured_text(const Json& document, const Json& entry) {
     bool first = true;
     for (const Json& run : entry["verified"]) {
         text += first ? "" : ", ";
-        text += by_flip ? fmt::format("{:.3g}, ", run["flip"].get<double>()) : "";
         const double error = run["error"], worst_share = run["worst_share"];
         text +=
             fmt::format("{:.3g} % ({:.3g} % without the worst thousandth of the points; {:.3g} s)",
@@ -153,12 +143,10 @@ std::string measured_text(const Json& document, const Json& entry) {
 std::string pilot_text(const Json& document) {
     const Json& pilot = document["pilot"];
     const double target = document["target"];
-    return fmt::format(
-        "{}: target {}, least {}; pilot of 2 x {:.3g} hits, seed {}, {:.3g} s",
-        document["scene"].get<std::string>(),
-        is_by_flip(document) ? fmt::format("FLIP {:g}", target) : fmt::format("{:g} %", 100 * target),
-        document["least"].get<std::string>(), pilot["hits_of_each_half"].get<double>(),
-        document["seed"].get<std::uint64_t>(), pilot["seconds"].get<double>());
+    return fmt::format("{}: target {:g} %, least {}; pilot of 2 x {:.3g} hits, seed {}, {:.3g} s",
+                       document["scene"].get<std::string>(), 100 * target,
+                       document["least"].get<std::string>(), pilot["hits_of_each_half"].get<double>(),
+                       document["seed"].get<std::uint64_t>(), pilot["seconds"].get<double>());
 }
 
 constexpr std::array<std::pair<const char*, const char*>, 2> kinds = {
@@ -179,7 +167,7 @@ Json fit_as_json(const FitPlan& plan, const fit::FitGoal& goal, const common::Sc
                      {"file", scene.source},
                      {"fingerprint", common::fingerprint(scene)},
                      {"target", goal.target},
-                     {"metric", goal.metric == fit::Metric::flip ? "FLIP" : "relative RMS"},
+                     {"metric", "relative RMS"},
                      {"least", goal.least()},
                      {"max_hits", goal.max_hits},
                      {"seed", plan.seed},
@@ -227,7 +215,7 @@ std::string fit_as_text(const Json& document) {
             text += row_text(text_row, entry["choice"]);
         else
             text += fmt::format("{}: out of reach: {}\n", name, entry["reason"].get<std::string>());
-        if (const std::string measured = measured_text(document, entry); !measured.empty())
+        if (const std::string measured = measured_text(entry); !measured.empty())
             text += fmt::format("  {}\n", measured);
     }
     if (document.contains("explanation"))
@@ -249,7 +237,7 @@ std::string fit_as_markdown(const Json& document) {
                                 entry["choice"]["hits"].get<double>());
         else
             text += fmt::format("Out of reach: {}.\n", entry["reason"].get<std::string>());
-        if (const std::string measured = measured_text(document, entry); !measured.empty())
+        if (const std::string measured = measured_text(entry); !measured.empty())
             text += fmt::format("\n{}\n", measured);
         const Json& rows = document[std::string(key) + "s"];
         if (rows.empty()) continue;

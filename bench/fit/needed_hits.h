@@ -9,19 +9,13 @@
 
 namespace bench::fit {
 
-enum class Metric {
-    relative_rms,  ///< the root of relMSE
-    flip           ///< mean FLIP of the picture of irradiance that the camera sees (common/difference/flip.h)
-};
-
 /// What is wanted, and what may be spent on it.
 struct FitGoal {
-    double target = 0;  ///< of the metric
+    double target = 0;  ///< relative RMS error, the root of relMSE
     double z = 0;       ///< a run meets the target with the probability of a normal variable to be below z
     /// The same for what is tried with one number of hits after another and taken as soon as it passes: each
     /// try is another chance to be flattered.
     double z_of_tries = 0;
-    Metric metric = Metric::relative_rms;
     bool least_bytes = false;  ///< bytes are to be few, else seconds
     double budget_bytes = std::numeric_limits<double>::infinity();
     double budget_seconds = std::numeric_limits<double>::infinity();
@@ -38,12 +32,12 @@ struct NeededHits {
         sure;  ///< that allow for chance: none where no number of hits does, or nothing is known
     std::optional<double> likely;      ///< if the estimates were exact
     std::optional<double> least;       ///< at the very best: no bias beyond what is certain, no bad luck
-    std::optional<double> expected{};  ///< the metric with the hits that are sure
-    /// The metric, allowing for chance, of infinitely many hits; infinite where nothing is known.
+    std::optional<double> expected{};  ///< the error with the hits that are sure
+    /// The error, allowing for chance, of infinitely many hits; infinite where nothing is known.
     double without_noise = std::numeric_limits<double>::infinity();
 };
 
-/// By relative RMS, in the candidates' order.
+/// In the candidates' order.
 [[nodiscard]] std::vector<NeededHits> needed_by_error(const SelfEstimates& estimates, const FitGoal& goal);
 
 }  // namespace bench::fit

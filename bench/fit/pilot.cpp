@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
-#include "bench/app/memory_need.h"
+#include "bench/contenders/memory_need.h"
+#include "bench/fit/stop.h"
 #include "bench/fit/traced_run.h"
+#include "common/core/stopwatch.h"
 
 namespace bench::fit {
 namespace {
@@ -17,19 +19,20 @@ constexpr double most_texels_per_hit = 4;  // of an adaptive map: more make the 
 /// Candidates that one store serves, by their places in the list.
 struct Group {
     std::vector<std::size_t> members;
-    std::vector<Method> methods;
+    ContenderGroup contenders;
 };
 
 std::vector<Group> groups_of(std::span<const Candidate> candidates, std::span<const std::size_t> chosen,
                              std::uint64_t hits) {
     std::vector<Group> groups;
     for (const std::size_t i : chosen) {
-        const Method method = parse_method("fit", candidates[i].name(hits));
-        auto group = std::find_if(groups.begin(), groups.end(),
-                                  [&](const Group& g) { return fill_alike(g.methods.front(), method); });
+        const Contender contender = candidates[i].contender(hits);
+        auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+            return share_store(g.contenders.front(), contender);
+        });
         if (group == groups.end()) group = groups.insert(groups.end(), Group{});
         group->members.push_back(i);
-        group->methods.push_back(method);
+        group->contenders.push_back(contender);
     }
     return groups;
 }
@@ -41,9 +44,9 @@ std::vector<std::vector<Group>> batches_of(std::vector<Group> groups, const Pilo
     std::vector<std::vector<Group>> batches;
     std::size_t free = 0;
     for (Group& group : groups) {
-        const MethodSettings& settings = subject.prepared.settings();
-        if (!reason_to_skip(group.methods.front(), settings, hits, subject.max_bytes).empty()) continue;
-        const std::size_t needed = needed_bytes(group.methods.front(), settings, hits);
+        const ContenderSettings& settings = subject.prepared.settings();
+        if (!reason_to_skip(group.contenders.front(), settings, hits, subject.max_bytes).empty()) continue;
+        const std::size_t needed = needed_bytes(group.contenders.front(), settings, hits);
         if (batches.empty() || needed > free) {
             batches.emplace_back();
             free = subject.max_bytes;
@@ -54,45 +57,39 @@ std::vector<std::vector<Group>> batches_of(std::vector<Group> groups, const Pilo
     return batches;
 }
 
-common::TraceReport trace_half(const PilotSubject& subject, std::uint64_t first_photon, std::uint64_t hits,
-                               std::vector<StudyStore>& stores) {
-    StudySink sink(stores);
-    return traced_run(fmt::format("{} pilot {:g}", subject.loaded.name, static_cast<double>(hits)),
-                      subject.loaded, subject.source, subject.seed,
-                      {.hits = hits, .first_photon = first_photon}, sink);
-}
-
 /// Adds half of what this half has cost: the mean of two.
-void add_cost(PilotCost& cost, const common::TraceReport& trace, const StudyMap& map, double insert_seconds,
-              double gather_seconds) {
+void add_cost(PilotCost& cost, const common::TraceReport& trace, const FilledStore& filled,
+              const FinishedMap& map, double gather_seconds) {
     cost.hits += 0.5 * static_cast<double>(trace.hits);
     cost.trace_seconds += 0.5 * trace.trace_seconds;
-    cost.insert_seconds += 0.5 * insert_seconds;
+    cost.insert_seconds += 0.5 * (filled.making_room_seconds + filled.insert_seconds);
     cost.build_seconds += 0.5 * map.build_seconds;
     cost.gather_seconds += 0.5 * gather_seconds;
-    cost.bytes += 0.5 * static_cast<double>(map.bytes);
+    cost.bytes += 0.5 * static_cast<double>(map.answers->bytes());
 }
 
 void fill_half(const PilotSubject& subject, const std::vector<Group>& batch, std::uint64_t hits,
                bool second_half, std::vector<PilotSample>& samples) {
-    std::vector<StudyStore> stores;
+    std::vector<FilledStore> stores;
     for (const Group& group : batch) {
         stop_if_interrupted();  // millions of texels take seconds to lay out
-        stores.emplace_back(group.methods, subject.prepared, subject.source);
+        stores.emplace_back(group.contenders, subject.prepared, subject.source);
     }
-    const common::TraceReport trace = trace_half(subject, second_half ? first_photon_of_b : 0, hits, stores);
+    const common::TraceReport trace =
+        traced_run(fmt::format("{} pilot {:g}", subject.loaded.name, static_cast<double>(hits)),
+                   subject.loaded, subject.source, subject.seed,
+                   {.hits = hits, .first_photon = second_half ? first_photon_of_b : 0}, stores);
     for (std::size_t g = 0; g < batch.size(); ++g) {
-        std::size_t next = 0;
-        const double insert_seconds = stores[g].insert_seconds();
-        stores[g].finish(trace, [&](const StudyMap& map) {
+        for (std::size_t i = 0; i < batch[g].members.size(); ++i) {
             stop_if_interrupted();
-            PilotSample& sample = samples[batch[g].members[next++]];
+            PilotSample& sample = samples[batch[g].members[i]];
+            const FinishedMap map = batch[g].contenders[i]->finish(*stores[g].store, trace);
             const common::Stopwatch gather;
-            (second_half ? sample.halves.b : sample.halves.a) = ask(map, subject.points.point);
+            (second_half ? sample.halves.b : sample.halves.a) = ask(*map.answers, subject.points.point);
             if (!second_half) sample.cost = {};
-            add_cost(sample.cost, trace, map, insert_seconds, gather.seconds());
-        });
-        stores[g] = StudyStore();
+            add_cost(sample.cost, trace, stores[g], map, gather.seconds());
+        }
+        stores[g].store.reset();
     }
 }
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "bench/contenders/trace_into.h"
 #include "bench/fit/candidates.h"
 #include "bench/fit/fit_points.h"
 #include "bench/fit/self_estimate.h"
-#include "bench/study/study_store.h"
 
 namespace bench::fit {
 
@@ -15,7 +15,7 @@ namespace bench::fit {
 struct PilotSubject {
     const LoadedScene& loaded;
     const common::PhotonSource& source;
-    PreparedMethods& prepared;
+    PreparedScene& prepared;
     const FitPoints& points;
     std::uint64_t seed;
     std::size_t max_bytes;  ///< for all stores that are filled at once

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/fit/flip_forecast.h"
 #include "common/core/input_error.h"
 
 namespace bench::fit {
@@ -59,7 +58,6 @@ bool is_measure(const State& state, std::size_t i) {
 bool is_worth_tracing(const State& state, std::size_t i) {
     if (is_measure(state, i)) return true;
     if (!state.result.estimates.model[i] || !state.result.costs[i]) return true;
-    if (state.goal.metric == Metric::flip && !state.samples[i].present()) return true;
     const Choice& choice =
         state.candidates[i].is_light_map() ? state.result.light_map : state.result.photon_map;
     const double best =
@@ -70,7 +68,7 @@ bool is_worth_tracing(const State& state, std::size_t i) {
 
 /// Whether a map that wants so much error of itself may be the cheapest that reaches the target.
 bool is_near_target(const Candidate& candidate, const FitGoal& goal) {
-    if (!candidate.is_adaptive() || goal.metric == Metric::flip) return true;
+    if (!candidate.is_adaptive()) return true;
     constexpr double least = 0.2, most = 1.5;  // few hits bring more error than was wanted
     const double wanted = candidate.value / 100 / goal.target;
     return wanted >= least && wanted <= most;
@@ -99,7 +97,6 @@ bool is_decided(const State& state, const Choice& choice, bool light_maps) {
 /// Whether what all maps are measured by blurs little itself. The rest is extrapolated, and creases narrower
 /// than its texels are in no extrapolation: on the atrium a few points in such creases have half the error.
 bool is_well_measured(const State& state) {
-    if (state.goal.metric == Metric::flip) return true;  // no mean of squares, in which few points count most
     if (!state.result.light_map.reached && !state.result.photon_map.reached) return true;
     const double blur_sq = std::max(0.0, state.result.estimates.finest.blur_sq.value);
     return blur_sq <= most_doubt * state.goal.target * state.goal.target;
@@ -118,15 +115,11 @@ bool is_dearer_than_runs(const State& state, std::uint64_t next_hits) {
 
 /// Chooses anew from all samples. False where the pilot was too small for that.
 bool choose_both(State& state) {
-    const double wanted_error = state.goal.metric == Metric::relative_rms ? state.goal.target : 0;
-    auto estimates =
-        estimate_errors(state.candidates, state.samples, state.subject.points, wanted_error, state.goal.z);
+    auto estimates = estimate_errors(state.candidates, state.samples, state.subject.points, state.goal.target,
+                                     state.goal.z);
     if (!estimates) return false;
     state.result.estimates = std::move(*estimates);
-    state.result.needed =
-        state.goal.metric == Metric::flip
-            ? needed_by_flip(state.result.estimates, state.samples, state.subject.points, state.goal)
-            : needed_by_error(state.result.estimates, state.goal);
+    state.result.needed = needed_by_error(state.result.estimates, state.goal);
     state.result.costs = costs_of(state.candidates, state.samples);
     state.result.light_map = choose(knowledge_of(state), state.goal, true);
     state.result.photon_map = choose(knowledge_of(state), state.goal, false);

@@ -14,7 +14,6 @@ struct VerifiedRun {
     std::uint64_t hits = 0;
     double error = 0;        ///< relative RMS, the reference's own error included
     double worst_share = 0;  ///< of its square: what a thousandth of the points has
-    double flip = 0;         ///< mean
     double seconds = 0;      ///< trace, insertion, index and all answers
     std::size_t bytes = 0;
 };

@@ -1,17 +1,16 @@
-#include "bench/limit/limit.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "bench/app/ending.h"
-#include "bench/app/memory_need.h"
-#include "bench/app/number_options.h"
-#include "bench/app/run_options.h"
 #include "bench/app/warnings.h"
+#include "bench/contenders/memory_need.h"
 #include "bench/limit/limit_figures.h"
+#include "bench/setup/command.h"
+#include "bench/setup/numbers.h"
+#include "bench/setup/run_options.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
@@ -35,16 +34,16 @@ struct LimitOptions {
 /// A request, checked.
 struct LimitPlan {
     const LimitOptions& options;
-    Method light_map, photon_map;
-    MethodSettings settings;
+    Contender light_map, photon_map;
+    ContenderSettings settings;
     std::uint64_t hits;
     std::size_t max_ray_bytes;  ///< for the rays as they are recorded and sorted
 };
 
 LimitPlan make_plan(const LimitOptions& options) {
     LimitPlan plan{options,
-                   parse_method("--shlm", options.light_map),
-                   parse_method("--photonmap", options.photon_map),
+                   parse_contender("--shlm", options.light_map),
+                   parse_contender("--photonmap", options.photon_map),
                    {.texels = options.texels.choice()},
                    parse_count("--hits", options.hits),
                    default_max_bytes()};
@@ -54,7 +53,7 @@ LimitPlan make_plan(const LimitOptions& options) {
     if (options.repeat < 3 || options.repeat > 999 || options.repeat % 2 == 0)
         throw common::InputError("--repeat: an odd number from 3 to 999");
     std::size_t largest = 0;
-    for (const Method& method : {plan.light_map, plan.photon_map}) {
+    for (const Contender& method : {plan.light_map, plan.photon_map}) {
         require_memory(method, plan.settings, plan.hits, plan.max_ray_bytes);
         largest = std::max(largest, needed_bytes(method, plan.settings, plan.hits));
     }
@@ -95,8 +94,9 @@ void run(const LimitOptions& options) {
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
         const common::PhotonSource source(loaded.rays);
-        PreparedMethods prepared(loaded, plan.settings);
-        (void)prepared.texels_of(*plan.light_map.light_map());  // no clock must see this
+        PreparedScene prepared(loaded, plan.settings);
+        for (const Contender& contender : {plan.light_map, plan.photon_map})
+            contender->prepare(prepared);  // no clock must see this
         print_scene_warnings(loaded);
         print_light_warnings(loaded, source);
         print_lightmap_warnings(loaded, prepared);
@@ -123,24 +123,24 @@ void run(const LimitOptions& options) {
     });
 }
 
-}  // namespace
+const RegisteredCommand registered(
+    10, {.name = "limit",
+         .purpose = "Say how near tracing comes to Embree alone with the same rays",
+         .add_to = [](Command& command) -> std::function<void()> {
+             const auto options = std::make_shared<LimitOptions>();
+             command.option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb", Need::required);
+             command.option("--hits", options->hits,
+                            "The run: as many photons as make at least this many hits");
+             command.option("--shlm", options->light_map, "Which light map: shlm/...");
+             command.option("--photonmap", options->photon_map, "Which photon map: photonmap/...");
+             options->texels.add_to(command);
+             command.whole_number("--repeat", options->repeat, "Repetitions, an odd number");
+             options->scene.add_to(command);
+             options->run.add_to(command);
+             command.flag("--json", options->json, "Print JSON");
+             return [options] { run(*options); };
+         }});
 
-void add_limit_command(CLI::App& app) {
-    const auto options = std::make_shared<LimitOptions>();
-    CLI::App* command =
-        app.add_subcommand("limit", "Say how near tracing comes to Embree alone with the same rays");
-    command->add_option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb")->required();
-    command->add_option("--hits", options->hits, "The run: as many photons as make at least this many hits")
-        ->capture_default_str();
-    command->add_option("--shlm", options->light_map, "Which light map: shlm/...")->capture_default_str();
-    command->add_option("--photonmap", options->photon_map, "Which photon map: photonmap/...")
-        ->capture_default_str();
-    options->texels.add_to(*command);
-    add_whole_number(*command, "--repeat", options->repeat, "Repetitions, an odd number");
-    options->scene.add_to(*command);
-    options->run.add_to(*command);
-    command->add_flag("--json", options->json, "Print JSON");
-    command->callback([options] { run(*options); });
-}
+}  // namespace
 
 }  // namespace bench

@@ -76,7 +76,7 @@ Json limit_as_json(const LimitSubject& subject, const LimitSeconds& seconds, int
     Json all = {{"scene", subject.loaded.name},
                 {"scene_fingerprint", common::fingerprint(subject.loaded.scene)},
                 {"light_map", subject.light_map.name},
-                {"texels", subject.prepared.texels_of(*subject.light_map.light_map()).layout.texel_count()},
+                {"texels", subject.light_map->texel_count(subject.prepared)},
                 {"photon_map", subject.photon_map.name},
                 {"seed", subject.seed},
                 {"threads", threads},

@@ -4,21 +4,21 @@
 
 #include <stdexcept>
 
+#include "bench/contenders/trace_into.h"
 #include "bench/limit/replay.h"
 #include "common/core/interrupt.h"
 #include "common/core/stopwatch.h"
-#include "common/tracer/null_sink.h"
-#include "common/tracer/trace_photons.h"
 
 namespace bench {
 namespace {
 
-/// The recorded photons, traced again.
-template <class Sink>
-common::TraceReport trace_into(Sink& sink, const LimitSubject& subject) {
-    return common::trace_photons(subject.loaded.rays, subject.source, subject.seed,
-                                 {.photons = subject.run.report.fates.emitted}, sink,
-                                 [](const common::TraceReport&) { return !common::interrupted(); });
+/// The recorded photons, to be traced again.
+TracedRun run_of(const LimitSubject& subject) {
+    return {subject.loaded.rays,
+            subject.source,
+            subject.seed,
+            {.photons = subject.run.report.fates.emitted},
+            [](const common::TraceReport&) { return !common::interrupted(); }};
 }
 
 template <class Work>
@@ -28,9 +28,9 @@ double seconds_of(const Work& work) {
     return watch.seconds();
 }
 
-double trace_seconds(const Method& method, const LimitSubject& subject) {
-    return with_sink(method, subject.prepared, subject.source,
-                     [&](auto sink) { return seconds_of([&] { (void)trace_into(sink, subject); }); });
+double trace_seconds(const Contender& contender, const LimitSubject& subject) {
+    const std::unique_ptr<Store> store = contender->make_store(subject.prepared, subject.source);
+    return seconds_of([&] { (void)trace_into(*store, run_of(subject)); });
 }
 
 double measure(LimitPart part, const LimitSubject& subject) {
@@ -51,8 +51,7 @@ double measure(LimitPart part, const LimitSubject& subject) {
         case LimitPart::null:
             break;
     }
-    common::NullSink sink;
-    return seconds_of([&] { (void)trace_into(sink, subject); });
+    return seconds_of([&] { (void)trace_into_nothing(run_of(subject)); });
 }
 
 bool same_run(const common::TraceReport& a, const common::TraceReport& b) {
@@ -69,8 +68,7 @@ void check_answers(const LimitSubject& subject) {
             throw std::runtime_error(
                 fmt::format("limit: {} of {} rays find another surface in packets than alone", differences,
                             subject.run.rays));
-    common::NullSink sink;
-    const common::TraceReport traced = trace_into(sink, subject);
+    const common::TraceReport traced = trace_into_nothing(run_of(subject));
     if (!traced.interrupted && !same_run(traced, subject.run.report))
         throw std::runtime_error(fmt::format("limit: tracing makes {} hits of {} photons, one by one {}",
                                              traced.hits, traced.fates.emitted, subject.run.report.hits));

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/app/methods.h"
+#include "bench/contenders/contender.h"
 #include "bench/limit/recorded_run.h"
 
 namespace bench {
@@ -21,8 +21,8 @@ inline constexpr std::array<std::string_view, 7> limit_part_names = {
 struct LimitSubject {
     const LoadedScene& loaded;
     const common::PhotonSource& source;
-    PreparedMethods& prepared;
-    Method light_map, photon_map;
+    PreparedScene& prepared;
+    Contender light_map, photon_map;
     std::uint64_t seed;
     RecordedRun run;
     std::vector<RayBlock> sorted;  ///< run.blocks in PhotonOrder

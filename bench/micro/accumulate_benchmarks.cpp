@@ -12,9 +12,9 @@ constexpr std::uint64_t hits = 1'000'000;
 /// Into the same sums again and again: they do not grow, and filling them once more costs the same.
 void accumulate(benchmark::State& state, SharedInputs& inputs, std::size_t texels, int threads) {
     const Recording& recording = inputs.recording(hits);
-    shlm::Accumulator<shlm::PaperModel> accumulator(inputs.methods(texels).texels().layout, inputs.quantum());
+    const std::unique_ptr<Store> store = inputs.store("shlm", texels);
     common::ThreadPool pool(threads);
-    for (auto _ : state) pool.run([&] { replay(recording, accumulator); });
+    for (auto _ : state) pool.run([&] { replay(recording, *store); });
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(recording.report.hits));
 }
 

@@ -8,41 +8,39 @@ namespace bench {
 namespace {
 
 /// Begins with fresh memory each time, as a run does; giving it back is not timed.
-template <class Sink>
-void append(benchmark::State& state, SharedInputs& inputs, std::uint64_t hits, int threads) {
+void append(benchmark::State& state, SharedInputs& inputs, const std::string& contender, std::uint64_t hits,
+            int threads) {
     const Recording& recording = inputs.recording(hits);
     common::ThreadPool pool(threads);
     for (auto _ : state) {
-        std::optional<Sink> sink(std::in_place, inputs.loaded().scene, photonmap::GatherSettings{});
-        pool.run([&] { replay(recording, *sink); });
+        std::unique_ptr<Store> store = inputs.store(contender);
+        pool.run([&] { replay(recording, *store); });
         state.PauseTiming();
-        sink.reset();
+        store.reset();
         state.ResumeTiming();
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(recording.report.hits));
 }
 
-template <class Sink>
-void register_append(SharedInputs& inputs, const char* method, std::uint64_t hits, int threads) {
-    const std::string name = fmt::format("append/{}/hits:{}/threads:{}", method, hits, threads);
-    benchmark::RegisterBenchmark(name.c_str(), [&inputs, hits, threads](benchmark::State& s) {
-        append<Sink>(s, inputs, hits, threads);
-    })->UseRealTime();
+void register_append(SharedInputs& inputs, const char* name, const char* contender,
+                     std::vector<int> threads) {
+    for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u})
+        for (const int count : threads)
+            benchmark::RegisterBenchmark(
+                fmt::format("append/{}/hits:{}/threads:{}", name, hits, count).c_str(),
+                [&inputs, contender, hits, count](benchmark::State& s) {
+                    append(s, inputs, contender, hits, count);
+                })
+                ->UseRealTime();
 }
 
 }  // namespace
 
 void register_append_benchmarks(SharedInputs& inputs) {
-    for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u})
-        for (const int threads : {1, 2})
-            register_append<photonmap::FlannPhotonSink>(inputs, "photonmap", hits, threads);
-    for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u})
-        for (const int threads : {1, 2})
-            register_append<photonmap::CompactPhotonSink>(inputs, "photonmap-compact", hits, threads);
+    register_append(inputs, "photonmap", "photonmap/flann", {1, 2});
+    register_append(inputs, "photonmap-compact", "photonmap/compact", {1, 2});
     // FLANN inserts on one thread.
-    for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u})
-        register_append<photonmap::FlannIncrementalPhotonSink>(inputs, "photonmap-flann-incremental", hits,
-                                                               1);
+    register_append(inputs, "photonmap-flann-incremental", "photonmap/flann-incremental", {1});
 }
 
 }  // namespace bench

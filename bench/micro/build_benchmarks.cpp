@@ -3,23 +3,24 @@
 
 #include "bench/micro/subjects.h"
 #include "common/core/threads.h"
+#include "common/point_index/flann_index.h"
 
 namespace bench {
 namespace {
 
 /// Sorting recorded photons and the index over them. Items: hits.
-template <class Sink>
-void build_photon_map(benchmark::State& state, SharedInputs& inputs, std::uint64_t hits, int threads,
-                      const photonmap::GatherSettings& settings) {
+void build_photon_map(benchmark::State& state, SharedInputs& inputs, const std::string& contender,
+                      std::uint64_t hits, int threads) {
     common::ThreadPool pool(threads);
+    const Contender named = parse_contender("micro", contender);
     for (auto _ : state) {
         state.PauseTiming();
-        Sink sink(inputs.loaded().scene, settings);
-        replay(inputs.recording(hits), sink);
+        const std::unique_ptr<Store> store = inputs.store(contender);
+        replay(inputs.recording(hits), *store);
         state.ResumeTiming();
         pool.run([&] {
-            const auto map = common::finish_map(std::move(sink), inputs.recording(hits).report);
-            benchmark::DoNotOptimize(map.bytes());
+            const FinishedMap map = named->finish(*store, inputs.recording(hits).report);
+            benchmark::DoNotOptimize(map.answers->bytes());
         });
     }
     state.SetItemsProcessed(state.iterations() *
@@ -43,28 +44,24 @@ void build_flann_unsorted(benchmark::State& state, SharedInputs& inputs, std::ui
 /// The finished light map from its sums. Items: texels.
 void build_light_map(benchmark::State& state, SharedInputs& inputs, std::size_t texels) {
     constexpr std::uint64_t hits = 100'000;
-    const Recording& recording = inputs.recording(hits);
-    const shlm::PreparedTexels& prepared = inputs.methods(texels).texels();
-    shlm::Accumulator<shlm::PaperModel> accumulator(prepared.layout, inputs.quantum());
-    replay(recording, accumulator);
+    const Contender named = parse_contender("micro", "shlm");
+    const std::unique_ptr<Store> store = inputs.store("shlm", texels);
+    replay(inputs.recording(hits), *store);
     for (auto _ : state) {
-        const shlm::HarmonicMap<shlm::PaperModel> map(accumulator.sums(), prepared,
-                                                   recording.report.watts_per_flux(), shlm::NearestTexels{},
-                                                   shlm::default_least_hits);
-        benchmark::DoNotOptimize(map.bytes());
+        const FinishedMap map = named->finish(*store, inputs.recording(hits).report);
+        benchmark::DoNotOptimize(map.answers->bytes());
     }
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(prepared.layout.texel_count()));
+    state.SetItemsProcessed(state.iterations() *
+                            static_cast<std::int64_t>(named->texel_count(inputs.prepared(texels))));
 }
 
-template <class Sink>
-void register_photon_map(SharedInputs& inputs, const char* engine,
-                         const photonmap::GatherSettings& settings = {}) {
+void register_photon_map(SharedInputs& inputs, const char* engine) {
     for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u, 10'000'000u})
         for (const int threads : {1, 2})
             benchmark::RegisterBenchmark(
                 fmt::format("build/photonmap-{}/hits:{}/threads:{}", engine, hits, threads).c_str(),
-                [&inputs, hits, threads, settings](benchmark::State& s) {
-                    build_photon_map<Sink>(s, inputs, hits, threads, settings);
+                [&inputs, hits, threads, engine](benchmark::State& s) {
+                    build_photon_map(s, inputs, fmt::format("photonmap/{}", engine), hits, threads);
                 })
                 ->UseRealTime();
 }
@@ -72,14 +69,14 @@ void register_photon_map(SharedInputs& inputs, const char* engine,
 }  // namespace
 
 void register_build_benchmarks(SharedInputs& inputs) {
-    register_photon_map<photonmap::FlannPhotonSink>(inputs, "flann");
+    register_photon_map(inputs, "flann");
     for (const std::uint64_t hits : {1'000'000u, 10'000'000u})
         benchmark::RegisterBenchmark(
             fmt::format("build/flann-unsorted/hits:{}", hits).c_str(),
             [&inputs, hits](benchmark::State& s) { build_flann_unsorted(s, inputs, hits); });
-    register_photon_map<photonmap::NanoflannPhotonSink>(inputs, "nanoflann");
-    register_photon_map<photonmap::CompactPhotonSink>(inputs, "compact");
-    register_photon_map<photonmap::GridPhotonSink>(inputs, "grid", {photonmap::FixedRadius{0.003}});
+    register_photon_map(inputs, "nanoflann");
+    register_photon_map(inputs, "compact");
+    register_photon_map(inputs, "grid");
     for (const std::size_t texels : {4'096u, 65'536u, 262'144u, 1'048'576u})
         benchmark::RegisterBenchmark(
             fmt::format("build/shlm/texels:{}", texels).c_str(),

@@ -23,7 +23,7 @@ void evaluate(benchmark::State& state, SharedInputs& inputs) {
 
 /// Items: texels of a finished map, each asked for its own normal.
 void irradiance(benchmark::State& state, SharedInputs& inputs) {
-    PreparedMethods& methods = inputs.methods(texels);
+    PreparedScene& methods = inputs.methods(texels);
     const auto map =
         map_of(inputs.recording(hits),
                shlm::Sink<shlm::PaperModel>(methods.texels(), shlm::NearestTexels{}, inputs.quantum()));

@@ -27,10 +27,27 @@ const Recording& SharedInputs::recording(std::uint64_t hits) {
     return entry->second;
 }
 
-PreparedMethods& SharedInputs::methods(std::size_t texels) {
-    MethodSettings settings;
+PreparedScene& SharedInputs::prepared(std::size_t texels) {
+    ContenderSettings settings;
     settings.texels.count = texels;
-    return methods_.try_emplace(texels, loaded_, settings).first->second;
+    return prepared_.try_emplace(texels, loaded_, settings).first->second;
+}
+
+std::unique_ptr<Store> SharedInputs::store(const std::string& contender, std::size_t texels) {
+    const Contender named = parse_contender("micro", contender);
+    named->prepare(prepared(texels));
+    return named->make_store(prepared(texels), source_);
+}
+
+std::unique_ptr<const Answers> map_of(SharedInputs& inputs, const std::string& contender, std::size_t texels,
+                                      std::uint64_t hits, int times) {
+    const std::unique_ptr<Store> store = inputs.store(contender, texels);
+    const Recording& recording = inputs.recording(hits);
+    for (int i = 0; i < times; ++i) replay(recording, *store);
+    common::TraceReport report = recording.report;
+    report.fates.emitted *= static_cast<std::uint64_t>(times);
+    report.hits *= static_cast<std::uint64_t>(times);
+    return parse_contender("micro", contender)->finish(*store, report).answers;
 }
 
 }  // namespace bench

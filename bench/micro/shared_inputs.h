@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/app/methods.h"
 #include "bench/compare/query_points.h"
+#include "bench/contenders/trace_into.h"
 #include "common/tracer/trace_photons.h"
 
 namespace bench {
@@ -32,34 +32,33 @@ class SharedInputs {
 
     [[nodiscard]] const LoadedScene& loaded() const { return loaded_; }
     [[nodiscard]] const common::PhotonSource& source() const { return source_; }
-    [[nodiscard]] shlm::Quantum quantum() const { return shlm::Quantum(source_.power()); }
     [[nodiscard]] const QueryPoints& queries() const { return queries_; }
 
     /// A run of at least this many hits.
     [[nodiscard]] const Recording& recording(std::uint64_t hits);
 
-    /// The methods with the command's own settings but for the number of texels.
-    [[nodiscard]] PreparedMethods& methods(std::size_t texels);
+    /// With the command's own settings but for the number of texels.
+    [[nodiscard]] PreparedScene& prepared(std::size_t texels = shlm::default_texels);
+
+    /// Empty.
+    [[nodiscard]] std::unique_ptr<Store> store(const std::string& contender,
+                                               std::size_t texels = shlm::default_texels);
 
   private:
     LoadedScene loaded_;
     common::PhotonSource source_;
     QueryPoints queries_;
     std::map<std::uint64_t, Recording> recordings_;
-    std::map<std::size_t, PreparedMethods> methods_;
+    std::map<std::size_t, PreparedScene> prepared_;
 };
 
-/// Gives the sink a recorded run.
-template <common::PhotonSink Sink>
-void replay(const Recording& recording, Sink& sink) {
-    for (const auto& wave : recording.waves) sink.consume(wave);
+/// Gives the store a recorded run.
+inline void replay(const Recording& recording, Store& store) {
+    for (const auto& wave : recording.waves) store.consume(wave);
 }
 
-/// The map that `sink` becomes after a recorded run.
-template <common::MapSink Sink>
-[[nodiscard]] auto map_of(const Recording& recording, Sink sink) {
-    replay(recording, sink);
-    return common::finish_map(std::move(sink), recording.report);
-}
+/// The map of a contender after `times` times a recorded run.
+[[nodiscard]] std::unique_ptr<const Answers> map_of(SharedInputs& inputs, const std::string& contender,
+                                                    std::size_t texels, std::uint64_t hits, int times = 1);
 
 }  // namespace bench

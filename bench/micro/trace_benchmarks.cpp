@@ -3,21 +3,18 @@
 
 #include "bench/micro/subjects.h"
 #include "common/core/threads.h"
-#include "common/tracer/null_sink.h"
 
 namespace bench {
 namespace {
 
-template <common::PhotonSink Sink>
-void trace(benchmark::State& state, const SharedInputs& inputs, std::uint64_t hits, int threads, Sink sink) {
+/// `trace` gives a report of a run.
+template <class Trace>
+void measure(benchmark::State& state, const SharedInputs& inputs, std::uint64_t hits, int threads,
+             const Trace& trace) {
     common::ThreadPool pool(threads);
+    const TracedRun run{inputs.loaded().rays, inputs.source(), micro_seed, {.hits = hits}};
     std::uint64_t traced = 0;
-    for (auto _ : state)
-        pool.run([&] {
-            traced +=
-                common::trace_photons(inputs.loaded().rays, inputs.source(), micro_seed, {.hits = hits}, sink)
-                    .hits;
-        });
+    for (auto _ : state) pool.run([&] { traced += trace(run).hits; });
     state.SetItemsProcessed(static_cast<std::int64_t>(traced));
 }
 
@@ -28,15 +25,15 @@ void register_trace_benchmarks(SharedInputs& inputs) {
         for (const int threads : {1, 2}) {
             const std::string name = fmt::format("trace/null_sink/hits:{}/threads:{}", hits, threads);
             benchmark::RegisterBenchmark(name.c_str(), [&inputs, hits, threads](benchmark::State& s) {
-                trace(s, inputs, hits, threads, common::NullSink());
+                measure(s, inputs, hits, threads, trace_into_nothing);
             })->UseRealTime();
         }
     for (const int threads : {1, 2}) {
         const std::string name = fmt::format("trace/shlm/hits:{}/threads:{}", 4'000'000u, threads);
         benchmark::RegisterBenchmark(name.c_str(), [&inputs, threads](benchmark::State& s) {
-            trace(s, inputs, 4'000'000, threads,
-                  shlm::Accumulator<shlm::PaperModel>(inputs.methods(shlm::default_texels).texels().layout,
-                                                      inputs.quantum()));
+            const std::unique_ptr<Store> store = inputs.store("shlm");
+            measure(s, inputs, 4'000'000, threads,
+                    [&](const TracedRun& run) { return trace_into(*store, run); });
         })->UseRealTime();
     }
 }

@@ -1,8 +1,6 @@
-#include "bench/stability/stability.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "bench/app/earlier_rows.h"
@@ -10,7 +8,8 @@
 #include "bench/app/output_folder.h"
 #include "bench/app/provenance.h"
 #include "bench/app/python.h"
-#include "bench/app/run_options.h"
+#include "bench/setup/command.h"
+#include "bench/setup/run_options.h"
 #include "bench/stability/stability_table.h"
 #include "bench/stability/verdict.h"
 #include "common/core/input_error.h"
@@ -135,19 +134,20 @@ void run(const StabilityOptions& options) {
     if (failed > 0) throw BoundExceeded(fmt::format("stability: {} cases are not as predicted", failed));
 }
 
-}  // namespace
+const RegisteredCommand registered(
+    12, {.name = "stability",
+         .purpose = "Hold both methods to theory where methods fail, in small scenes of its own",
+         .add_to = [](Command& command) -> std::function<void()> {
+             const auto options = std::make_shared<StabilityOptions>();
+             command.option("CASE", options->names, "Cases; all where none is named");
+             command.flag("--list", options->list, "Name the cases");
+             command.flag("--short", options->quick, "The short form that ./check runs");
+             command.option("--out", options->out,
+                            "Folder for stability.json, stability.md, charts and images");
+             add_threads_option(command, options->threads);
+             return [options] { run(*options); };
+         }});
 
-void add_stability_command(CLI::App& app) {
-    const auto options = std::make_shared<StabilityOptions>();
-    CLI::App* command = app.add_subcommand(
-        "stability", "Hold both methods to theory where methods fail, in small scenes of its own");
-    command->add_option("CASE", options->names, "Cases; all where none is named");
-    command->add_flag("--list", options->list, "Name the cases");
-    command->add_flag("--short", options->quick, "The short form that ./check runs");
-    command->add_option("--out", options->out, "Folder for stability.json, stability.md, charts and images")
-        ->capture_default_str();
-    add_threads_option(*command, options->threads);
-    command->callback([options] { run(*options); });
-}
+}  // namespace
 
 }  // namespace bench

@@ -1,14 +1,13 @@
-#include "bench/study/study.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "bench/app/ending.h"
 #include "bench/app/python.h"
 #include "bench/app/warnings.h"
+#include "bench/setup/command.h"
 #include "bench/study/study_plan.h"
 #include "bench/study/study_run.h"
 #include "bench/study/study_table.h"
@@ -59,7 +58,7 @@ bool study_scene(const StudyPlan& plan, const std::filesystem::path& file, std::
     table.describe_scene(scene.name(), scene.facts());
     warm_up(plan, scene);
     for (std::uint64_t seed = 1; seed <= plan.seeds; ++seed) {
-        const std::vector<Method> methods = table.missing(scene.name(), plan.methods, hits, seed);
+        const std::vector<Contender> methods = table.missing(scene.name(), plan.methods, hits, seed);
         if (methods.empty()) continue;
         const StudyRun run = run_study(plan, scene, methods, hits, seed);
         if (run.interrupted) return false;
@@ -101,14 +100,15 @@ void run(const StudyOptions& options) {
     });
 }
 
-}  // namespace
+const RegisteredCommand registered(
+    7, {.name = "study",
+        .purpose = "Measure error beside time and bytes, over methods, numbers of hits and seeds",
+        .add_to = [](Command& command) -> std::function<void()> {
+            const auto options = std::make_shared<StudyOptions>();
+            options->add_to(command);
+            return [options] { run(*options); };
+        }});
 
-void add_study_command(CLI::App& app) {
-    const auto options = std::make_shared<StudyOptions>();
-    CLI::App* command = app.add_subcommand(
-        "study", "Measure error beside time and bytes, over methods, numbers of hits and seeds");
-    options->add_to(*command);
-    command->callback([options] { run(*options); });
-}
+}  // namespace
 
 }  // namespace bench

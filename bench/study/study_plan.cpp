@@ -2,22 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "bench/app/memory_need.h"
-#include "bench/app/number_options.h"
 #include "bench/app/output_folder.h"
+#include "bench/contenders/memory_need.h"
+#include "bench/setup/command.h"
+#include "bench/setup/numbers.h"
 #include "common/core/input_error.h"
 #include "common/gltf/source_files.h"
 
 namespace bench {
 namespace {
 
-std::vector<Method> grouped_by_store(std::vector<Method> methods) {
+std::vector<Contender> grouped_by_store(std::vector<Contender> methods) {
     for (auto first = methods.begin(); first != methods.end();)
         first = std::stable_partition(first, methods.end(),
-                                      [store = *first](const Method& m) { return fill_alike(m, store); });
+                                      [store = *first](const Contender& m) { return share_store(m, store); });
     return methods;
 }
 
@@ -32,22 +32,19 @@ std::vector<std::filesystem::path> inputs_of(const StudyPlan& plan) {
 
 }  // namespace
 
-void StudyOptions::add_to(CLI::App& command) {
-    command.add_option("SCENE", files, "glTF 2.0 files, .gltf or .glb")->required();
-    command.add_option("--hits", hits, "Numbers of hits, separated by commas")->capture_default_str();
-    command.add_option("--methods", methods, "Methods, separated by commas")->capture_default_str();
-    command
-        .add_option(
-            "--references", references,
-            "Folder with SCENE.exr of each scene, made by shlmbench reference; their size is the study's")
-        ->capture_default_str();
-    command.add_option("--out", out, "Folder for study.json, raw answers, charts and report")
-        ->capture_default_str();
-    command.add_option("--max-memory", max_memory,
-                       "Methods that would need more are not started; default: 9/10 of what is free");
-    add_whole_number(command, "--seeds", seeds, "Independent runs of each size: seeds 1 to this");
-    command.add_flag("--anew", anew,
-                     "Begin again where the folder's rows are of another build, machine or setting");
+void StudyOptions::add_to(Command& command) {
+    command.option("SCENE", files, "glTF 2.0 files, .gltf or .glb", Need::required);
+    command.option("--hits", hits, "Numbers of hits, separated by commas");
+    command.option("--methods", methods, "Methods, separated by commas");
+    command.option(
+        "--references", references,
+        "Folder with SCENE.exr of each scene, made by shlmbench reference; their size is the study's");
+    command.option("--out", out, "Folder for study.json, raw answers, charts and report");
+    command.option("--max-memory", max_memory,
+                   "Methods that would need more are not started; default: 9/10 of what is free");
+    command.whole_number("--seeds", seeds, "Independent runs of each size: seeds 1 to this");
+    command.flag("--anew", anew,
+                 "Begin again where the folder's rows are of another build, machine or setting");
     add_threads_option(command, threads);
     scene.add_to(command);
     method_options.add_to(command);
@@ -57,7 +54,7 @@ StudyPlan make_plan(const StudyOptions& options) {
     StudyPlan plan{
         .files = {options.files.begin(), options.files.end()},
         .hits = parse_sizes("--hits", parse_list("--hits", options.hits)),
-        .methods = grouped_by_store(parse_methods("--methods", parse_list("--methods", options.methods))),
+        .methods = grouped_by_store(parse_contenders("--methods", parse_list("--methods", options.methods))),
         .references = options.references,
         .out = options.out,
         .max_bytes = options.max_memory.empty() ? default_max_bytes()

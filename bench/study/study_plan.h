@@ -6,11 +6,8 @@
 #include <vector>
 
 #include "bench/app/method_options.h"
-#include "bench/app/run_options.h"
-
-namespace CLI {
-class App;
-}
+#include "bench/setup/command.h"
+#include "bench/setup/run_options.h"
 
 namespace bench {
 
@@ -51,20 +48,20 @@ struct StudyOptions {
     MethodOptions method_options;
     int threads = 0;
 
-    void add_to(CLI::App& command);
+    void add_to(Command& command);
 };
 
 struct StudyPlan {
     std::vector<std::filesystem::path> files;
     std::vector<std::uint64_t> hits;  ///< ascending, each once
-    std::vector<Method> methods;      ///< those that one store can serve stand together
+    std::vector<Contender> methods;   ///< those that one store can serve stand together
     std::filesystem::path references;
     std::filesystem::path out;  ///< exists and can be written to
     std::size_t max_bytes;
     std::uint64_t seeds;  ///< 1 to this
     bool anew;            ///< begin again where the folder's rows are of another build, machine or setting
     SceneOptions scene;
-    MethodSettings settings;
+    ContenderSettings settings;
     int threads;
 
     [[nodiscard]] std::filesystem::path reference_of(const std::filesystem::path& file) const {

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "bench/app/memory_need.h"
 #include "bench/app/output_folder.h"
-#include "bench/study/study_store.h"
+#include "bench/contenders/light_map.h"
+#include "bench/contenders/memory_need.h"
+#include "bench/contenders/trace_into.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
+#include "common/core/stopwatch.h"
 
 namespace bench {
 namespace {
@@ -24,27 +26,24 @@ struct RunFacts {
     common::TraceReport trace;
 };
 
-Json row_start(const RunFacts& facts, const Method& method, const MethodSettings& settings) {
-    const ShlmMethod* light_map = method.light_map();
-    return {{"scene", facts.scene},
-            {"method", method.name},
-            {"texels", light_map ? PreparedMethods::texel_choice(*light_map, settings).count : 0},
-            {"hits_asked", facts.hits_asked},
-            {"seed", facts.seed}};
+Json row_start(const RunFacts& facts, const Contender& method, const ContenderSettings& settings) {
+    const LightMapTechnique* light_map = method.light_map();
+    return {
+        {"scene", facts.scene},           {"method", method.name},
+        {"fields", method->fields()},     {"texels", light_map ? light_map->texel_choice(settings).count : 0},
+        {"hits_asked", facts.hits_asked}, {"seed", facts.seed}};
 }
 
-Json row_of(const RunFacts& facts, const StudyMap& map, const MethodSettings& settings,
-            double insert_seconds) {
-    Json row = row_start(facts, map.method, settings);
+Json row_of(const RunFacts& facts, const Contender& contender, const ContenderSettings& settings,
+            const StoreFacts& store, double insert_seconds) {
+    Json row = row_start(facts, contender, settings);
     row["hits"] = facts.trace.hits;
     row["photons_emitted"] = facts.trace.fates.emitted;
     row["trace_seconds"] = facts.trace.trace_seconds;
     row["insert_seconds"] = insert_seconds;
-    row["build_seconds"] = map.build_seconds;
-    row["bytes"] = map.bytes;
-    row["insert_bytes"] = map.insert_bytes;
-    row["hits_rejected"] = map.hits_rejected;
-    if (map.method.light_map()) row["clamped_share"] = map.clamped_share;
+    row["insert_bytes"] = store.bytes;
+    row["hits_rejected"] = store.rejected.total();
+    if (contender.light_map()) row["clamped_share"] = store.clamped_share;
     return row;
 }
 
@@ -54,10 +53,10 @@ std::filesystem::path answers_folder(const std::string& scene, std::string metho
     return std::filesystem::path("raw") / scene / method;
 }
 
-/// Why there are no texels to be had for the method; empty where there are.
-std::string trouble_with_texels(const Method& method, PreparedMethods& prepared) {
+/// Why the scene has not got what the method needs; empty where it has.
+std::string trouble_with_scene(const Contender& method, PreparedScene& prepared) {
     try {
-        if (method.light_map()) (void)prepared.texels_of(*method.light_map());
+        method->prepare(prepared);
         return "";
     } catch (const common::InputError& e) {
         return e.what();
@@ -65,14 +64,14 @@ std::string trouble_with_texels(const Method& method, PreparedMethods& prepared)
 }
 
 /// Groups that fit into memory side by side; rows with the reason for the others.
-std::vector<MethodGroup> that_fit(std::vector<MethodGroup> groups, const StudyPlan& plan,
-                                  PreparedMethods& prepared, const RunFacts& facts,
-                                  std::vector<Json>& skipped) {
+std::vector<ContenderGroup> that_fit(std::vector<ContenderGroup> groups, const StudyPlan& plan,
+                                     PreparedScene& prepared, const RunFacts& facts,
+                                     std::vector<Json>& skipped) {
     std::size_t free = plan.max_bytes;
-    std::erase_if(groups, [&](const MethodGroup& group) {
+    std::erase_if(groups, [&](const ContenderGroup& group) {
         std::string reason = reason_to_skip(group.front(), plan.settings, facts.hits_asked, free);
-        if (reason.empty()) reason = trouble_with_texels(group.front(), prepared);
-        for (const Method& method : group) {
+        if (reason.empty()) reason = trouble_with_scene(group.front(), prepared);
+        for (const Contender& method : group) {
             if (reason.empty()) continue;
             skipped.push_back(row_start(facts, method, plan.settings));
             skipped.back()["skipped"] = reason;
@@ -83,45 +82,57 @@ std::vector<MethodGroup> that_fit(std::vector<MethodGroup> groups, const StudyPl
     return groups;
 }
 
+/// The map of each contender that the store serves, one after the other.
+void ask_all(const FilledStore& filled, const RunFacts& facts, const StudyPlan& plan, StudyScene& scene,
+             std::vector<Json>& rows) {
+    const StoreFacts store = filled.store->facts();
+    const double insert_seconds = filled.making_room_seconds + filled.insert_seconds;
+    for (const Contender& contender : filled.contenders) {
+        if (common::interrupted()) return;
+        const FinishedMap map = contender->finish(*filled.store, facts.trace);
+        Json row = row_of(facts, contender, plan.settings, store, insert_seconds);
+        row["build_seconds"] = map.build_seconds;
+        row["bytes"] = map.answers->bytes();
+        const common::Stopwatch gather;
+        const std::vector<common::Rgb> answers = ask(*map.answers, scene.points());
+        row["gather_seconds"] = gather.seconds();
+
+        const std::filesystem::path folder = answers_folder(scene.name(), contender.name);
+        prepare_output_folder("--out", plan.out / folder);
+        const std::filesystem::path file = folder / fmt::format("{}-{}.f32", facts.hits_asked, facts.seed);
+        write_binary(plan.out / file, answers.data(), answers.size() * sizeof(common::Rgb));
+        row["answers"] = file.string();
+        rows.push_back(std::move(row));
+    }
+}
+
 }  // namespace
 
-StudyRun run_study(const StudyPlan& plan, StudyScene& scene, const std::vector<Method>& methods,
+StudyRun run_study(const StudyPlan& plan, StudyScene& scene, const std::vector<Contender>& methods,
                    std::uint64_t hits, std::uint64_t seed) {
     StudyRun run;
     RunFacts facts{scene.name(), hits, seed, {}};
-    std::vector<StudyStore> stores;
-    std::vector<MethodGroup> groups = that_fit(groups_of(methods), plan, scene.prepared(), facts, run.rows);
+    std::vector<FilledStore> stores;
+    std::vector<ContenderGroup> groups =
+        that_fit(groups_of(methods), plan, scene.prepared(), facts, run.rows);
     // The first store finds a wave's hits in cache and its own sums not, so every seed begins with another.
     if (!groups.empty()) std::rotate(groups.begin(), groups.begin() + seed % groups.size(), groups.end());
-    for (MethodGroup& group : groups) stores.emplace_back(std::move(group), scene.prepared(), scene.source());
+    for (ContenderGroup& group : groups)
+        stores.emplace_back(std::move(group), scene.prepared(), scene.source());
     if (stores.empty()) return run;
 
-    StudySink sink(stores);
     common::Progress progress(fmt::format("{} {:g} seed {}", scene.name(), static_cast<double>(hits), seed),
                               "hits", hits);
-    facts.trace = common::trace_photons(scene.loaded().rays, scene.source(), seed, {.hits = hits}, sink,
-                                        [&](const common::TraceReport& so_far) {
-                                            progress.show(so_far.hits);
-                                            return !common::interrupted();
-                                        });
-    for (StudyStore& store : stores) {
+    facts.trace = trace_into(
+        stores,
+        {scene.loaded().rays, scene.source(), seed, {.hits = hits}, [&](const common::TraceReport& so_far) {
+             progress.show(so_far.hits);
+             return !common::interrupted();
+         }});
+    for (FilledStore& filled : stores) {
         if (common::interrupted()) return {{}, true};
-        const double insert_seconds = store.insert_seconds();
-        store.finish(facts.trace, [&](const StudyMap& map) {
-            if (common::interrupted()) return;
-            Json row = row_of(facts, map, plan.settings, insert_seconds);
-            const common::Stopwatch gather;
-            const std::vector<common::Rgb> answers = ask(map, scene.points());
-            row["gather_seconds"] = gather.seconds();
-
-            const std::filesystem::path folder = answers_folder(scene.name(), map.method.name);
-            prepare_output_folder("--out", plan.out / folder);
-            const std::filesystem::path file = folder / fmt::format("{}-{}.f32", hits, seed);
-            write_binary(plan.out / file, answers.data(), answers.size() * sizeof(common::Rgb));
-            row["answers"] = file.string();
-            run.rows.push_back(std::move(row));
-        });
-        store = StudyStore();
+        ask_all(filled, facts, plan, scene, run.rows);
+        filled.store.reset();
     }
     if (common::interrupted()) return {{}, true};
     return run;

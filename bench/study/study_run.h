@@ -14,7 +14,8 @@ struct StudyRun {
 };
 
 /// `methods` in the plan's order. Writes each method's answers.
-[[nodiscard]] StudyRun run_study(const StudyPlan& plan, StudyScene& scene, const std::vector<Method>& methods,
-                                 std::uint64_t hits, std::uint64_t seed);
+[[nodiscard]] StudyRun run_study(const StudyPlan& plan, StudyScene& scene,
+                                 const std::vector<Contender>& methods, std::uint64_t hits,
+                                 std::uint64_t seed);
 
 }  // namespace bench

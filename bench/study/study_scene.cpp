@@ -54,7 +54,7 @@ std::vector<Rgb> read_answers(const fs::path& file, std::size_t points) {
 }
 
 StudyScene::StudyScene(const fs::path& file, const fs::path& reference_file, const SceneOptions& options,
-                       const MethodSettings& settings)
+                       const ContenderSettings& settings)
     : loaded_(file.string(), options),
       source_(loaded_.rays),
       prepared_(loaded_, settings),

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 
-#include "bench/app/methods.h"
+#include "bench/contenders/contender.h"
 #include "bench/study/study_plan.h"
 #include "common/image/image.h"
 #include "common/tracer/photon_source.h"
@@ -18,14 +18,14 @@ class StudyScene {
     /// Throws InputError where the reference is of another camera or scene; a small difference in the scene
     /// only brings a warning on stderr.
     StudyScene(const std::filesystem::path& file, const std::filesystem::path& reference_file,
-               const SceneOptions& options, const MethodSettings& settings);
+               const SceneOptions& options, const ContenderSettings& settings);
     StudyScene(const std::filesystem::path& file, const StudyPlan& plan)
         : StudyScene(file, plan.reference_of(file), plan.scene, plan.settings) {}
 
     [[nodiscard]] const std::string& name() const { return loaded_.name; }
     [[nodiscard]] const LoadedScene& loaded() const { return loaded_; }
     [[nodiscard]] const common::PhotonSource& source() const { return source_; }
-    [[nodiscard]] PreparedMethods& prepared() { return prepared_; }
+    [[nodiscard]] PreparedScene& prepared() { return prepared_; }
 
     /// Surface points behind the reference's pixels, in image order, without pixels that see none.
     [[nodiscard]] std::span<const common::SurfacePoint> points() const { return points_; }
@@ -59,7 +59,7 @@ class StudyScene {
 
     LoadedScene loaded_;
     common::PhotonSource source_;
-    PreparedMethods prepared_;
+    PreparedScene prepared_;
     std::string fingerprint_;
     int width_ = 0, height_ = 0;
     bool same_version_ = false;         ///< the reference was made from exactly this scene

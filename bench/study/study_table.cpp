@@ -46,15 +46,15 @@ StudyTable::StudyTable(const StudyPlan& plan) : file_(plan.out / "study.json") {
                             file_.string()));
 }
 
-std::vector<Method> StudyTable::missing(const std::string& scene, const std::vector<Method>& methods,
-                                        std::uint64_t hits, std::uint64_t seed) const {
-    std::vector<Method> missing;
-    for (const Method& method : methods)
+std::vector<Contender> StudyTable::missing(const std::string& scene, const std::vector<Contender>& methods,
+                                           std::uint64_t hits, std::uint64_t seed) const {
+    std::vector<Contender> missing;
+    for (const Contender& method : methods)
         if (!present_.contains({scene, method.name, hits, seed})) missing.push_back(method);
     return missing;
 }
 
-bool StudyTable::is_missing_any(const std::string& scene, const std::vector<Method>& methods,
+bool StudyTable::is_missing_any(const std::string& scene, const std::vector<Contender>& methods,
                                 std::uint64_t hits, std::uint64_t seeds) const {
     for (std::uint64_t seed = 1; seed <= seeds; ++seed)
         if (!missing(scene, methods, hits, seed).empty()) return true;

@@ -20,9 +20,10 @@ class StudyTable {
     explicit StudyTable(const StudyPlan& plan);
 
     /// Methods without a row. Skipped ones are judged anew.
-    [[nodiscard]] std::vector<Method> missing(const std::string& scene, const std::vector<Method>& methods,
-                                              std::uint64_t hits, std::uint64_t seed) const;
-    [[nodiscard]] bool is_missing_any(const std::string& scene, const std::vector<Method>& methods,
+    [[nodiscard]] std::vector<Contender> missing(const std::string& scene,
+                                                 const std::vector<Contender>& methods, std::uint64_t hits,
+                                                 std::uint64_t seed) const;
+    [[nodiscard]] bool is_missing_any(const std::string& scene, const std::vector<Contender>& methods,
                                       std::uint64_t hits, std::uint64_t seeds) const;
 
     /// Throws InputError where the scene has rows for other points or another version of it: they cannot

@@ -1,0 +1,28 @@
+// Light maps whose blocks are as large as the light lets them be.
+#pragma once
+
+#include "bench/contenders/light_map.h"
+#include "shlm/adaptive_map.h"
+
+namespace bench {
+
+/// shlm / aPERCENT / normalised / own bilinear [/ uv face] [/ tTEXELS]
+class AdaptiveLightMap final : public LightMapTechnique {
+  public:
+    AdaptiveLightMap(const TexelSetting& setting, double wanted_error_percent)
+        : LightMapTechnique(setting), wanted_error_percent_(wanted_error_percent) {}
+
+    /// Its map by its own type: for what asks it for more than irradiance.
+    [[nodiscard]] shlm::AdaptiveMap map_of(Store& store, const common::TraceReport& trace) const;
+
+    std::string name() const override;
+    nlohmann::ordered_json fields() const override;
+    ChartStyle style() const override { return {"#111111", "*"}; }
+    double needed_bytes(const ContenderSettings& settings, std::uint64_t hits) const override;
+    FinishedMap finish(Store& store, const common::TraceReport& trace) const override;
+
+  private:
+    double wanted_error_percent_;
+};
+
+}  // namespace bench

@@ -1,0 +1,17 @@
+// Packed photons under our own tree.
+#include "bench/contenders/photon_map_store.h"
+
+namespace bench {
+namespace {
+
+constexpr double packed_bytes = 26;  // 24, and partly filled pages while they are sorted
+
+const RegisteredEngine registered(4, {.name = "compact",
+                                      .purpose = "packed photons under a tree of this project: the strongest",
+                                      .style = {"#202020", "D"},
+                                      .bytes_per_hit = packed_bytes,
+                                      .most_photons = common::CompactIndex::max_points,
+                                      .make_store = make_photon_map_store<photonmap::CompactPhotonSink>});
+
+}  // namespace
+}  // namespace bench

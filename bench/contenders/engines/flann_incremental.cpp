@@ -1,0 +1,18 @@
+// Every photon inserted into FLANN's tree as it comes.
+#include "bench/contenders/photon_map_store.h"
+
+namespace bench {
+namespace {
+
+constexpr double tree_bytes = 96;  // 75, and the array of pointers of FLANN while it grows
+
+const RegisteredEngine registered(
+    5, {.name = "flann-incremental",
+        .purpose = "every photon inserted into FLANN's KDTreeIndex: what the paper measures itself against",
+        .style = {"#7a5ea8", "s"},
+        .bytes_per_hit = photon_bytes + tree_bytes,
+        .most_photons = common::max_flann_points,
+        .make_store = make_photon_map_store<photonmap::FlannIncrementalPhotonSink>});
+
+}  // namespace
+}  // namespace bench

@@ -1,0 +1,131 @@
+// Light maps: what texels sum, what a finished texel keeps of it, and how texels are gathered.
+#pragma once
+
+#include <any>
+#include <map>
+
+#include "bench/contenders/contender.h"
+#include "shlm/light_map.h"
+#include "shlm/map_run.h"
+#include "shlm/quantum.h"
+#include "shlm/texel_atlas.h"
+
+namespace bench {
+
+/// The sums of all texels, of any model.
+class LightMapStore : public Store {
+  public:
+    bool takes_any_order() const override { return true; }
+
+    /// Takes what a file has. Throws InputError as shlm::read_checkpoint.
+    virtual shlm::MapRun read(const std::filesystem::path& file, const shlm::MapIdentity& expected,
+                              const shlm::TexelAtlas& atlas) = 0;
+    virtual void write(const std::filesystem::path& file, const shlm::MapRun& run,
+                       const shlm::TexelAtlas& atlas) const = 0;
+
+    /// What maps of one store share, for the technique that knows it.
+    [[nodiscard]] std::any& shared() { return shared_; }
+
+  private:
+    std::any shared_;
+};
+
+/// How the finished map of a store is to be.
+struct MapForm {
+    shlm::Gather gather;
+    std::uint64_t least_hits;
+    bool in_halves;
+};
+
+/// What a finished texel keeps.
+struct LightBasis {
+    std::string name, purpose;
+    ChartStyle style;
+    int order;                            ///< of the harmonics that hits are summed in for it
+    std::vector<shlm::ShWeight> weights;  ///< that it can be made of; the first is the default
+    std::unique_ptr<LightMapStore> (*make_store)(shlm::ShWeight weight, const shlm::PreparedTexels& texels,
+                                                 const shlm::Quantum& quantum);
+    std::unique_ptr<const Answers> (*finish)(const LightMapStore& store, shlm::ShWeight weight,
+                                             float watts_per_flux, const MapForm& form);
+    std::size_t (*numbers)(shlm::ShWeight weight);    ///< summed per texel and channel
+    std::size_t (*sum_bytes)(shlm::ShWeight weight);  ///< per texel, while it is filled
+    std::size_t texel_bytes;                          ///< of the finished map, in floats
+};
+
+/// By the order in which they are told of; the first is the default.
+[[nodiscard]] const std::map<int, LightBasis>& light_bases();
+
+/// Adds a basis for as long as the program runs: each has one of these in its file (bases/).
+class RegisteredBasis {
+  public:
+    RegisteredBasis(int place, const LightBasis& basis);
+};
+
+/// Where the texels lie, and what they sum: all kinds of light maps have this.
+struct TexelSetting {
+    const LightBasis* basis;  ///< whose sums are taken
+    shlm::ShWeight weight;
+    shlm::Gather gather;
+    std::optional<shlm::TexelPlacement> placement;  ///< none: as --texels says
+    std::size_t texels = 0;                         ///< 0: as many as --texels says
+};
+
+class LightMapTechnique : public Technique {
+  public:
+    explicit LightMapTechnique(const TexelSetting& setting) : setting_(setting) {}
+
+    [[nodiscard]] const TexelSetting& setting() const { return setting_; }
+    [[nodiscard]] TexelChoice texel_choice(const ContenderSettings& settings) const;
+    [[nodiscard]] const shlm::PreparedTexels& texels_of(PreparedScene& scene) const {
+        return scene.texels(texel_choice(scene.settings()));
+    }
+
+    /// Which files of sums are of the same run.
+    [[nodiscard]] shlm::MapIdentity identity(PreparedScene& scene, const common::PhotonSource& source,
+                                             std::uint64_t seed) const;
+    [[nodiscard]] std::unique_ptr<LightMapStore> make_sums(PreparedScene& scene,
+                                                           const common::PhotonSource& source) const;
+
+    std::string store_key() const override;
+    void prepare(PreparedScene& scene) const override { (void)texels_of(scene); }
+    std::size_t texel_count(PreparedScene& scene) const override {
+        return texels_of(scene).layout.texel_count();
+    }
+    std::unique_ptr<Store> make_store(PreparedScene& scene,
+                                      const common::PhotonSource& source) const override {
+        return make_sums(scene, source);
+    }
+
+  protected:
+    /// What the name says of the texels: gather and on.
+    [[nodiscard]] std::string texel_name() const;
+    [[nodiscard]] nlohmann::ordered_json texel_fields() const;
+
+  private:
+    TexelSetting setting_;
+};
+
+/// shlm / BASIS / radiance flux normalised / own bilinear surfaceK knnK [/ uv face] [/ tTEXELS] [/ hHITS] [/
+/// half]
+class UniformLightMap final : public LightMapTechnique {
+  public:
+    UniformLightMap(const TexelSetting& setting, std::uint64_t least_hits, bool in_halves)
+        : LightMapTechnique(setting), least_hits_(least_hits), in_halves_(in_halves) {}
+
+    /// Texels in blocks of fewer show one light (shlm::TexelBlocks).
+    [[nodiscard]] std::uint64_t least_hits() const { return least_hits_; }
+
+    std::string name() const override;
+    nlohmann::ordered_json fields() const override;
+    ChartStyle style() const override { return setting().basis->style; }
+    double needed_bytes(const ContenderSettings& settings, std::uint64_t hits) const override;
+    FinishedMap finish(Store& store, const common::TraceReport& trace) const override;
+
+  private:
+    std::uint64_t least_hits_;
+    bool in_halves_;
+};
+
+[[nodiscard]] const char* name_of(shlm::ShWeight weight);
+
+}  // namespace bench

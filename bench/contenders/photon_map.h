@@ -1,0 +1,64 @@
+// Photon maps: an engine, which photons are gathered, and how they are weighted.
+#pragma once
+
+#include <map>
+
+#include "bench/contenders/contender.h"
+#include "photonmap/gather_settings.h"
+
+namespace bench {
+
+/// What photons are kept in, and found with. Its map is made by the first finish.
+class PhotonMapStore : public Store {
+  public:
+    [[nodiscard]] virtual FinishedMap finish(const photonmap::PhotonSelection& selection,
+                                             photonmap::Kernel kernel, const common::TraceReport& trace) = 0;
+};
+
+struct PhotonMapEngine {
+    std::string name, purpose;
+    ChartStyle style;
+    double bytes_per_hit;  ///< at its fullest: while the photons are sorted, or with the index
+    std::size_t most_photons;
+    bool for_one_radius = false;  ///< its index is made for the gather's radius
+    std::unique_ptr<PhotonMapStore> (*make_store)(const common::Scene& scene,
+                                                  const photonmap::GatherSettings& gather,
+                                                  const common::CoveringSurfaces* covers);
+};
+
+/// By the order in which they are told of; the first is the default.
+[[nodiscard]] const std::map<int, PhotonMapEngine>& photon_map_engines();
+
+/// Adds an engine for as long as the program runs: each has one of these in its file (engines/).
+class RegisteredEngine {
+  public:
+    RegisteredEngine(int place, const PhotonMapEngine& engine);
+};
+
+/// photonmap / ENGINE / kK kFACTORn23 rFRACTION / disc cone epanechnikov
+class PhotonMapTechnique final : public Technique {
+  public:
+    PhotonMapTechnique(const PhotonMapEngine& engine, const photonmap::PhotonSelection& selection,
+                       photonmap::Kernel kernel)
+        : engine_(&engine), selection_(selection), kernel_(kernel) {}
+
+    [[nodiscard]] const photonmap::PhotonSelection& selection() const { return selection_; }
+    [[nodiscard]] photonmap::Kernel kernel() const { return kernel_; }
+
+    std::string name() const override;
+    nlohmann::ordered_json fields() const override;
+    ChartStyle style() const override { return engine_->style; }
+    std::string store_key() const override;
+    double needed_bytes(const ContenderSettings& settings, std::uint64_t hits) const override;
+    std::size_t most_photons() const override { return engine_->most_photons; }
+    void prepare(PreparedScene& scene) const override { (void)scene.covers(); }
+    std::unique_ptr<Store> make_store(PreparedScene& scene, const common::PhotonSource&) const override;
+    FinishedMap finish(Store& store, const common::TraceReport& trace) const override;
+
+  private:
+    const PhotonMapEngine* engine_;
+    photonmap::PhotonSelection selection_;
+    photonmap::Kernel kernel_;
+};
+
+}  // namespace bench

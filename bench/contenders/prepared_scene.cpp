@@ -1,0 +1,58 @@
+#include "bench/contenders/prepared_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/core/input_error.h"
+#include "photonmap/gather_settings.h"
+
+namespace bench {
+namespace {
+
+std::vector<std::string> describe_trouble(const common::Scene& scene, const std::vector<shlm::LightmapUv>& uv,
+                                          shlm::TexelPlacement placement) {
+    switch (placement) {
+        case shlm::TexelPlacement::uv:
+            return shlm::describe_lightmap_trouble(scene, uv);
+        case shlm::TexelPlacement::automatic:
+            return shlm::describe_useless_uv(scene, uv);
+        case shlm::TexelPlacement::face:
+            break;
+    }
+    return {};
+}
+
+}  // namespace
+
+PreparedScene::PreparedScene(const LoadedScene& scene, const ContenderSettings& settings)
+    : scene_(&scene.scene),
+      rays_(&scene.rays),
+      settings_(settings),
+      uv_(shlm::find_lightmap_uv(scene.scene)),
+      trouble_(describe_trouble(scene.scene, uv_, settings.texels.placement)) {
+    if (settings_.max_radius == 0)
+        settings_.max_radius = photonmap::default_max_radius(scene.scene.diagonal());
+}
+
+std::string describe(const ContenderSettings& settings) {
+    return fmt::format("texels={} max-radius={}", describe(settings.texels),
+                       settings.max_radius == 0 ? "auto" : fmt::format("{}", settings.max_radius));
+}
+
+const shlm::PreparedTexels& PreparedScene::texels(const TexelChoice& choice) {
+    const bool by_uv = choice.placement == shlm::TexelPlacement::uv;
+    const bool possible = std::any_of(uv_.begin(), uv_.end(), [&](const shlm::LightmapUv& uv) {
+        return shlm::placed_by_uv(uv, choice.placement) || shlm::placed_by_face(uv, choice.placement);
+    });
+    if (!possible) {
+        const std::vector<std::string> trouble = shlm::describe_lightmap_trouble(*scene_, uv_);
+        throw common::InputError(
+            fmt::format("{}: {}", scene_->source,
+                        trouble.empty() || !by_uv ? "no diffuse surface for a light map" : trouble.front()));
+    }
+    return texels_.try_emplace({choice.count, choice.placement}, *scene_, uv_, choice.count, choice.placement)
+        .first->second;
+}
+
+}  // namespace bench

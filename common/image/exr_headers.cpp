@@ -1,0 +1,52 @@
+#include "common/image/exr_headers.h"
+
+#include <bit>
+#include <cstdint>
+#include <fstream>
+#include <string>
+
+#include "common/core/input_error.h"
+
+namespace common {
+namespace {
+
+constexpr std::streamoff magic_and_version = 8;
+
+[[noreturn]] void cut_off() {
+    throw InputError("it is cut off within its header");
+}
+
+/// Up to the next zero, which is not part of it.
+std::string next_word(std::istream& file) {
+    std::string word;
+    if (!std::getline(file, word, '\0') || file.eof()) cut_off();
+    return word;
+}
+
+/// Name, type, size and value; false for the empty name that ends a header.
+bool skip_attribute(std::istream& file, std::streamoff end) {
+    if (next_word(file).empty()) return false;
+    (void)next_word(file);
+    static_assert(std::endian::native == std::endian::little);
+    std::int32_t size = 0;
+    if (!file.read(reinterpret_cast<char*>(&size), sizeof size)) cut_off();
+    if (size < 0 || size > end - file.tellg()) cut_off();
+    file.seekg(size, std::ios::cur);
+    return true;
+}
+
+}  // namespace
+
+void check_exr_headers(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    if (!file) throw InputError("it cannot be opened");
+    const std::streamoff end = file.tellg();
+    if (end <= magic_and_version) cut_off();
+    file.seekg(magic_and_version);
+    // Of a multi-part file, which a light map's is: one header after the other, then one without attributes.
+    while (skip_attribute(file, end))
+        while (skip_attribute(file, end)) {
+        }
+}
+
+}  // namespace common

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "common/core/input_error.h"
-#include "common/point_index/compact_build.h"
 #include "photonmap/finite_hits.h"
+#include "photonmap/index/compact_build.h"
 
 namespace photonmap {
 namespace {
@@ -24,9 +24,9 @@ void PackedPhotonStorage::append(std::span<const common::HitBatch> wave) {
     const std::size_t stored = store_finite_hits(
         wave,
         [&](std::size_t count) {
-            if (count > common::CompactIndex::max_points - photons_.size())
-                throw common::InputError(fmt::format("the compact photon map holds at most {} photons",
-                                                     common::CompactIndex::max_points));
+            if (count > CompactIndex::max_points - photons_.size())
+                throw common::InputError(
+                    fmt::format("the compact photon map holds at most {} photons", CompactIndex::max_points));
             room = photons_.grow(count);
         },
         [&](std::size_t row, const common::HitBatch& batch, std::size_t i) {
@@ -40,7 +40,7 @@ PackedPhotonStorage::Indexed PackedPhotonStorage::indexed() && {
     photons.size_ = photons_.size();
     std::span<std::uint16_t> normals;
     std::span<PackedLight> lights;
-    common::CompactIndex index = common::build_compact_index(
+    CompactIndex index = build_compact_index(
         std::move(photons_),
         [&](std::size_t places) {
             normals = photons.normals_.grow(places);

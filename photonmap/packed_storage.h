@@ -5,9 +5,9 @@
 
 #include "common/core/stable_array.h"
 #include "common/estimator/irradiance_estimator.h"
-#include "common/point_index/compact_index.h"
 #include "common/scene/scene.h"
 #include "common/tracer/hit_batch.h"
+#include "photonmap/index/compact_index.h"
 #include "photonmap/packed_photon.h"
 
 namespace photonmap {
@@ -60,7 +60,7 @@ class PackedPhotonStorage {
 
     struct Indexed {
         PackedPhotons photons;
-        common::CompactIndex index;
+        CompactIndex index;
     };
     /// In the order of the index.
     [[nodiscard]] Indexed indexed() &&;
@@ -71,7 +71,7 @@ class PackedPhotonStorage {
 
   private:
     const common::Scene* scene_;
-    common::StableArray<PackedPhoton> photons_{common::CompactIndex::max_points};
+    common::StableArray<PackedPhoton> photons_{CompactIndex::max_points};
     common::RejectedHits rejected_;
 };
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "common/estimator/irradiance_estimator.h"
-#include "common/point_index/nearest_selection.h"
 #include "common/point_index/point_index.h"
 #include "photonmap/gather_settings.h"
+#include "photonmap/index/nearest_selection.h"
 #include "photonmap/kernel.h"
 #include "photonmap/photon_storage.h"
 #include "photonmap/uncovered.h"
@@ -112,7 +112,6 @@ class PhotonMap {
     template <class KernelFunction>
     [[nodiscard]] common::Rgb from_nearest(const common::SurfacePoint& point,
                                            const KernelFunction& kernel) const {
-        using common::NearestSelection;
         // Reused by each thread: a gather must not allocate.
         static thread_local std::vector<NearestSelection::Key> room;
         room.resize(NearestSelection::room_for(nearest_));

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/point_index/flann_index.h"
-#include "common/point_index/grid_index.h"
-#include "common/point_index/nanoflann_index.h"
+#include "photonmap/index/grid_index.h"
+#include "photonmap/index/nanoflann_index.h"
 #include "photonmap/packed_storage.h"
 #include "photonmap/photon_map.h"
 
@@ -56,23 +56,23 @@ struct TreeOverCurve {
 
 /// Photons sorted into the cells of a grid made for the largest radius of its gathers.
 struct CellsOfRadius {
-    using Map = PhotonMap<common::GridIndex>;
+    using Map = PhotonMap<GridIndex>;
     using Storage = PhotonStorage;
 
     [[nodiscard]] static Storage storage(const common::Scene&) { return {}; }
 
     [[nodiscard]] static Map::Stored indexed(Storage&& photons, const common::Scene& scene,
                                              const GatherSettings& settings) {
-        const common::GridCells cells(photons.positions(), largest_radius(settings, scene.diagonal()));
+        const GridCells cells(photons.positions(), largest_radius(settings, scene.diagonal()));
         PhotonStorage sorted = std::move(photons).in_order(cells.order(photons.positions()));
-        common::GridIndex index(sorted.positions(), cells);
+        GridIndex index(sorted.positions(), cells);
         return {std::move(sorted), std::move(index)};
     }
 };
 
 /// Photons packed as they come, under the compact index: the strongest photon map that this suite has.
 struct PackedUnderCompactTree {
-    using Map = PhotonMap<common::CompactIndex, PackedPhotons>;
+    using Map = PhotonMap<CompactIndex, PackedPhotons>;
     using Storage = PackedPhotonStorage;
 
     [[nodiscard]] static Storage storage(const common::Scene& scene) { return Storage(scene); }
@@ -114,7 +114,7 @@ class IncrementalPhotonSink {
 };
 
 using FlannPhotonSink = BulkPhotonSink<TreeOverCurve<common::FlannIndex>>;
-using NanoflannPhotonSink = BulkPhotonSink<TreeOverCurve<common::NanoflannIndex>>;
+using NanoflannPhotonSink = BulkPhotonSink<TreeOverCurve<NanoflannIndex>>;
 using GridPhotonSink = BulkPhotonSink<CellsOfRadius>;
 using CompactPhotonSink = BulkPhotonSink<PackedUnderCompactTree>;
 using FlannIncrementalPhotonSink = IncrementalPhotonSink<common::FlannIncrementalIndex>;

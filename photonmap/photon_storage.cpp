@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "common/point_index/morton_order.h"
 #include "photonmap/finite_hits.h"
+#include "photonmap/index/morton_order.h"
 
 namespace photonmap {
 void PhotonStorage::append(std::span<const common::HitBatch> wave) {
@@ -25,7 +25,7 @@ void PhotonStorage::append(std::span<const common::HitBatch> wave) {
 }
 
 PhotonStorage PhotonStorage::sorted_along_curve() && {
-    return std::move(*this).in_order(common::morton_order(positions()));
+    return std::move(*this).in_order(morton_order(positions()));
 }
 
 PhotonStorage PhotonStorage::in_order(std::span<const std::uint32_t> order) && {

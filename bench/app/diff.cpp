@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/app/ending.h"
-#include "bench/app/image_output.h"
 #include "bench/setup/command.h"
+#include "bench/setup/ending.h"
+#include "bench/setup/image_output.h"
 #include "bench/setup/numbers.h"
 #include "common/core/input_error.h"
 #include "common/core/standard_streams.h"

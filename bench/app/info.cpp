@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/app/warnings.h"
 #include "bench/contenders/contender.h"
 #include "bench/contenders/memory_need.h"
+#include "bench/contenders/warnings.h"
 #include "bench/setup/command.h"
 #include "common/core/input_error.h"
 #include "common/core/standard_streams.h"

@@ -2,8 +2,8 @@
 #include <new>
 #include <string>
 
-#include "bench/app/ending.h"
 #include "bench/setup/command.h"
+#include "bench/setup/ending.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/standard_streams.h"

@@ -3,16 +3,16 @@
 
 #include <algorithm>
 
-#include "bench/app/commit.h"
-#include "bench/app/ending.h"
 #include "bench/setup/command.h"
+#include "bench/setup/commit.h"
+#include "bench/setup/ending.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/output_file.h"
 #include "common/core/output_lock.h"
 #include "common/core/standard_streams.h"
-#include "shlm/map_file.h"
-#include "shlm/texel_sums.h"
+#include "shlm/file/map_file.h"
+#include "shlm/sums/texel_sums.h"
 
 namespace bench {
 namespace {

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "bench/app/ending.h"
-#include "bench/app/image_output.h"
 #include "bench/app/reference_run.h"
-#include "bench/app/warnings.h"
+#include "bench/contenders/warnings.h"
 #include "bench/setup/command.h"
+#include "bench/setup/ending.h"
+#include "bench/setup/image_output.h"
 #include "bench/setup/numbers.h"
 #include "bench/setup/run_options.h"
 #include "common/core/input_error.h"

@@ -4,8 +4,8 @@
 
 #include <chrono>
 
-#include "bench/app/image_output.h"
-#include "bench/app/provenance.h"
+#include "bench/setup/image_output.h"
+#include "bench/setup/provenance.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
 #include "common/reference/paths_not_found.h"

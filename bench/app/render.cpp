@@ -4,16 +4,16 @@
 
 #include <filesystem>
 
-#include "bench/app/ending.h"
-#include "bench/app/image_output.h"
-#include "bench/app/method_options.h"
-#include "bench/app/provenance.h"
-#include "bench/app/warnings.h"
+#include "bench/contenders/contender_options.h"
 #include "bench/contenders/light_map.h"
 #include "bench/contenders/memory_need.h"
 #include "bench/contenders/picture.h"
+#include "bench/contenders/warnings.h"
 #include "bench/setup/command.h"
+#include "bench/setup/ending.h"
+#include "bench/setup/image_output.h"
 #include "bench/setup/numbers.h"
+#include "bench/setup/provenance.h"
 #include "bench/setup/run_options.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"

@@ -5,14 +5,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "bench/app/commit.h"
-#include "bench/app/ending.h"
-#include "bench/app/method_options.h"
-#include "bench/app/warnings.h"
+#include "bench/contenders/contender_options.h"
 #include "bench/contenders/light_map.h"
 #include "bench/contenders/memory_need.h"
 #include "bench/contenders/trace_into.h"
+#include "bench/contenders/warnings.h"
 #include "bench/setup/command.h"
+#include "bench/setup/commit.h"
+#include "bench/setup/ending.h"
 #include "bench/setup/run_options.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
@@ -22,6 +22,7 @@
 #include "common/core/standard_streams.h"
 #include "common/core/stopwatch.h"
 #include "common/core/threads.h"
+#include "shlm/file/map_file.h"
 
 namespace bench {
 namespace {

@@ -7,7 +7,7 @@
 #include "bench/contenders/light_map_names.h"
 #include "bench/contenders/light_map_store.h"
 #include "common/core/stopwatch.h"
-#include "shlm/block_costs.h"
+#include "shlm/adaptive/block_costs.h"
 
 namespace bench {
 namespace {

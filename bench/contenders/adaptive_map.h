@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/contenders/light_map.h"
-#include "shlm/adaptive_map.h"
+#include "shlm/adaptive/adaptive_map.h"
 
 namespace bench {
 

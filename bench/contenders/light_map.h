@@ -5,10 +5,10 @@
 #include <map>
 
 #include "bench/contenders/contender.h"
-#include "shlm/light_map.h"
-#include "shlm/map_run.h"
-#include "shlm/quantum.h"
-#include "shlm/texel_atlas.h"
+#include "shlm/file/map_run.h"
+#include "shlm/file/texel_atlas.h"
+#include "shlm/map/light_map.h"
+#include "shlm/sums/quantum.h"
 
 namespace bench {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bench/contenders/light_map.h"
-#include "shlm/checkpoint.h"
-#include "shlm/sink.h"
+#include "shlm/file/checkpoint.h"
+#include "shlm/map/sink.h"
 
 namespace bench {
 

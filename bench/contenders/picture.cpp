@@ -1,6 +1,6 @@
 #include "bench/contenders/picture.h"
 
-#include "common/image/render.h"
+#include "common/view/render.h"
 
 namespace bench {
 namespace {

@@ -9,7 +9,7 @@
 #include "bench/setup/scene_options.h"
 #include "bench/setup/texel_options.h"
 #include "common/tracer/covering_surfaces.h"
-#include "shlm/prepared_texels.h"
+#include "shlm/layout/prepared_texels.h"
 
 namespace bench {
 

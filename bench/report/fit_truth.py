@@ -4,7 +4,7 @@
 
 STUDY is the folder of a `shlmbench study` with two seeds or more; of its methods, FINE is what is to stand in for the
 truth, F, and COARSE one with a quarter of its texels, Q. Prints for each method C with the most hits its squared bias
-by the reference, by F (what F blurs, (Q - F)^2, added), by 2 F - Q, and as bench/fit/self_estimates.h has it.
+by the reference, by F (what F blurs, (Q - F)^2, added), by 2 F - Q, and as bench/experiments/fit/self_estimates.h has it.
 All are relative, mean w (C - E)^2; noise is in none of them, as only answers of different seeds are multiplied.
 """
 

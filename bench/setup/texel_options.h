@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bench/setup/command.h"
-#include "shlm/settings.h"
+#include "shlm/layout/texel_placement.h"
 
 namespace bench {
 

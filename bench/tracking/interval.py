@@ -4,7 +4,7 @@ The ratio is the geometric mean of the pairs' ratios, the largest and the smalle
 some runs are slow by much. Its interval is Student's t times the bootstrap's standard error, in the logarithm. A percentile
 interval of ten pairs cannot do this: corrected for dozens of benchmarks it would have to reach beyond the
 largest ratio seen. Between equal programs pairs alternate, so their ratios scatter alike to both sides, for which t is safe
-also where they have long tails (simulated in tests/track_statistics_test.py).
+also where they have long tails (simulated in tests/report/track_statistics_test.py).
 """
 
 import math

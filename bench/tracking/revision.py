@@ -35,7 +35,7 @@ def resolve(repository, name):
 
 
 def require_clean(repository):
-    """What lies in results/ does not make a program another one (bench/app/commit.cmake)."""
+    """What lies in results/ does not make a program another one (bench/setup/commit.cmake)."""
     if git(repository, "diff", "--quiet", "HEAD", "--", ".", ":(exclude)results").returncode != 0:
         raise InputError("the working tree has changes that no revision names: commit them, or say which HEAD is meant")
 

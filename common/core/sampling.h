@@ -24,8 +24,8 @@ struct Frame {
     }
 };
 
-/// (cos, sin) of 2 pi `turn`, for `turn` in [0, 1], within 1e-7. Without a branch or a call, so that a loop of
-/// them becomes vector code.
+/// (cos, sin) of 2 pi `turn`, for `turn` in [0, 1], within 1e-7. Without a branch or a call, so that a loop
+/// of them becomes vector code.
 inline Vec2 circle_at(float turn) {
     const int quarter = static_cast<int>(4.0f * turn + 0.5f);  // the nearest one
     const float x = 2.0f * std::numbers::pi_v<float> * (turn - 0.25f * static_cast<float>(quarter));

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 enum class Treatment {
-    read,     ///< drawn as the file says; where it is not, what reads that part warns
+    read,      ///< drawn as the file says; where it is not, what reads that part warns
     unseen,    ///< changes nothing that is to be seen before something is played
     fallback,  ///< offers a choice of looks, of which the one without a choice is drawn
     not_drawn  ///< the material says so, where it asks for something (not_drawn.h)

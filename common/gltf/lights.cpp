@@ -36,8 +36,7 @@ SpotLight spot_light(const tinygltf::Light& light, const Vec3& position, const V
     const double inner = std::clamp(light.spot.innerConeAngle, 0.0, outer);
     if (outer != light.spot.outerConeAngle || inner != light.spot.innerConeAngle)
         warnings.add("cone angles clamped to 0 <= inner <= outer <= pi/2", where);
-    SpotLight spot{position,        axis,           strength(light, where),
-                   std::cos(inner), std::cos(outer), one_line(where)};
+    SpotLight spot{position, axis, strength(light, where), std::cos(inner), std::cos(outer), one_line(where)};
     if (!spot.is_narrow()) {  // floats do, and maps and references made with them go on to the bit
         spot.cos_inner_angle = nearest_float(spot.cos_inner_angle);
         spot.cos_outer_angle = nearest_float(spot.cos_outer_angle);

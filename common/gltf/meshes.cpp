@@ -237,10 +237,11 @@ class MeshAppender {
         geometry.attributes = read_attributes(accessors_, primitive, vertices);
         morph(accessors_, primitive, weights, vertices, geometry.attributes, name, warnings_);
         repair(geometry.attributes, name, warnings_);
-        if (geometry.attributes.normal.empty()) geometry.attributes.tangent.clear();  // as section 3.7.2.1 says
+        if (geometry.attributes.normal.empty())
+            geometry.attributes.tangent.clear();  // as section 3.7.2.1 says
 
-        geometry.colors = read_vertex_colors(accessors_, model_, primitive, scene_.material[geometry.material],
-                                             vertices, name, warnings_);
+        geometry.colors = read_vertex_colors(accessors_, model_, primitive,
+                                             scene_.material[geometry.material], vertices, name, warnings_);
 
         const MeshInstances instances(model_, placed, accessors_, warnings_);
         if (append_skinned(primitive, placed, geometry)) {

@@ -19,12 +19,13 @@ struct VertexColors {
     std::vector<float> alpha;  ///< 1 where the file gives none
 };
 
-/// The colours of the vertices `vertices` of a primitive named `name` with this material. What is beyond [0, 1] or not finite is mended,
-/// with a warning, and so are integers that the file does not call normalized; other sets than the first are
-/// left out with one. Throws InputError for a wrong type and where there are not as many as positions.
+/// The colours of the vertices `vertices` of a primitive named `name` with this material. What is beyond [0,
+/// 1] or not finite is mended, with a warning, and so are integers that the file does not call normalized;
+/// other sets than the first are left out with one. Throws InputError for a wrong type and where there are
+/// not as many as positions.
 [[nodiscard]] VertexColors read_vertex_colors(AccessorReader& accessors, const tinygltf::Model& model,
                                               const tinygltf::Primitive& primitive, const Material& material,
-                                              std::span<const std::uint32_t> vertices, const std::string& name,
-                                              Warnings& warnings);
+                                              std::span<const std::uint32_t> vertices,
+                                              const std::string& name, Warnings& warnings);
 
 }  // namespace common::gltf

@@ -42,8 +42,16 @@ void check_exr_headers(const std::filesystem::path& path) {
     if (!file) throw InputError("it cannot be opened");
     const std::streamoff end = file.tellg();
     if (end <= magic_and_version) cut_off();
-    file.seekg(magic_and_version);
-    // Of a multi-part file, which a light map's is: one header after the other, then one without attributes.
+    std::int32_t magic_and_flags[2] = {};
+    file.seekg(0);
+    file.read(reinterpret_cast<char*>(magic_and_flags), magic_and_version);
+    constexpr std::int32_t has_parts = 0x1000;
+    if ((magic_and_flags[1] & has_parts) == 0) {
+        while (skip_attribute(file, end)) {
+        }
+        return;
+    }
+    // One header after the other, then one without attributes.
     while (skip_attribute(file, end))
         while (skip_attribute(file, end)) {
         }

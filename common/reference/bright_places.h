@@ -27,8 +27,8 @@ class BrightPlaces {
     std::vector<double> of_rows_;  ///< sums up to and with each row
 };
 
-/// What each cell of a triangle emits, holes included, W/(m^2 sr), mean over the channels, by a look at some of its places.
-/// The square lies on the triangle as place_on says.
+/// What each cell of a triangle emits, holes included, W/(m^2 sr), mean over the channels, by a look at some
+/// of its places. The square lies on the triangle as place_on says.
 [[nodiscard]] std::vector<double> emission_grid(const Scene& scene, std::uint32_t triangle, int across);
 
 /// Cells of about a texel of the triangle's emissive texture, from 1 to `most` across.

@@ -15,7 +15,7 @@ struct AreaLight {
     std::uint32_t triangle;
     bool both_faces;
     double area;
-    double mean_radiance;                        ///< over triangle, holes and channels: only chooses the light
+    double mean_radiance;  ///< over triangle, holes and channels: only chooses the light
     std::shared_ptr<const BrightPlaces> places;  ///< to look at, in place_on's square; none: all alike
     std::array<Imath::V3d, 3> corner;
     Imath::V3d normal;  ///< unit, out of the front face

@@ -108,8 +108,7 @@ class Path {
                 origin = rays_.off_surface(position, -normal);
                 continue;
             }
-            const double weight =
-                straight ? weight_of_meeting(*surface, position, chosen, choice) : 1;
+            const double weight = straight ? weight_of_meeting(*surface, position, chosen, choice) : 1;
             add(emitted(*surface, towards) * (pi * weight));
             if (++surfaces_ > most_surfaces_) return std::nullopt;
 

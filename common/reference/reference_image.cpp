@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "common/core/input_error.h"
-#include "common/image/render.h"
+#include "common/view/render.h"
 
 namespace common::reference {
 namespace {

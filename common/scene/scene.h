@@ -19,7 +19,7 @@ inline constexpr std::int32_t no_texture = -1;
 
 /// Where texture coordinates are taken to before the texture is read (KHR_texture_transform).
 struct TexcoordTransform {
-    Vec2 offset{0, 0};               ///< of the coordinates (0, 0)
+    Vec2 offset{0, 0};                  ///< of the coordinates (0, 0)
     Vec2 along_u{1, 0}, along_v{0, 1};  ///< what a step of 1 along u and along v adds
 
     [[nodiscard]] Vec2 operator()(const Vec2& texcoord) const {
@@ -104,8 +104,8 @@ struct SpotLight {
 };
 
 struct DirectionalLight {
-    Vec3 direction;  ///< unit, the way the light travels
-    Rgb irradiance;  ///< W/m^2 on a surface perpendicular to it
+    Vec3 direction;         ///< unit, the way the light travels
+    Rgb irradiance;         ///< W/m^2 on a surface perpendicular to it
     std::string name = "";  ///< as warnings call it
 };
 

@@ -157,8 +157,8 @@ class TexturedEmission {
     std::size_t most_cells_;
 };
 
-/// Holes included. Where there are some, by a fixed grid of points: a lamp with a hole at all of them still gets
-/// a share of the photons.
+/// Holes included. Where there are some, by a fixed grid of points: a lamp with a hole at all of them still
+/// gets a share of the photons.
 Rgb mean_emitted_radiance(const Scene& scene, std::uint32_t triangle, const EmissionCells* cells) {
     const CoverageRange coverage = coverage_range(scene, triangle);
     const Rgb whole =

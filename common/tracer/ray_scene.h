@@ -57,8 +57,8 @@ class RayScene {
     /// length but 0; `reach` may be infinite.
     [[nodiscard]] bool occluded(const Vec3& origin, const Vec3& direction, float reach) const;
 
-    /// Whether rays that come to `position`, on `triangle`, from the side of `normal` (unit) meet another that
-    /// coincides with it: what it emits there to that side is not seen, and must not shine.
+    /// Whether rays that come to `position`, on `triangle`, from the side of `normal` (unit) meet another
+    /// that coincides with it: what it emits there to that side is not seen, and must not shine.
     [[nodiscard]] bool is_covered(std::uint32_t triangle, const Vec3& position, const Vec3& normal) const;
 
     /// Whether that may be so of a triangle that emits.

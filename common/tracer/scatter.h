@@ -57,7 +57,7 @@ struct SpecularDirections {
     Vec3 reflected;              ///< unit, away from the side of arrival
     std::optional<Vec3> passed;  ///< unit, into the other side: refracted, or as it came through a thin
                                  ///< sheet; none for mirrors and at total reflection
-    float reflectance = 1;  ///< of glass; 1 where nothing passes
+    float reflectance = 1;       ///< of glass; 1 where nothing passes
 };
 
 /// Specular surfaces follow the smooth vertex normal, so that a faceted sphere focuses like a round one,

@@ -16,7 +16,8 @@ double blocks_to_photons(const TraceReport& so_far, const TraceTarget& target) {
 double blocks_to_hits(const TraceReport& so_far, const TraceTarget& target) {
     // Until something is known: one hit for each photon, and a quarter of the way to learn more.
     const double photons_per_hit =
-        so_far.hits == 0 ? 0.25 : static_cast<double>(so_far.fates.emitted) / static_cast<double>(so_far.hits);
+        so_far.hits == 0 ? 0.25
+                         : static_cast<double>(so_far.fates.emitted) / static_cast<double>(so_far.hits);
     return static_cast<double>(target.missing_hits(so_far)) * photons_per_hit / photons_per_block;
 }
 

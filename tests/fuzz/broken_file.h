@@ -9,8 +9,8 @@
 #include "common/gltf/load_gltf.h"
 #include "common/scene/fingerprint.h"
 #include "common/tracer/photon_source.h"
-#include "shlm/map_file.h"
-#include "shlm/prepared_texels.h"
+#include "shlm/file/map_file.h"
+#include "shlm/layout/prepared_texels.h"
 
 namespace fuzz {
 

@@ -1,6 +1,6 @@
 // Ambient light and one direction.
 #include "bench/contenders/light_map_store.h"
-#include "shlm/ambient_and_direction.h"
+#include "shlm/basis/ambient_and_direction.h"
 
 namespace bench {
 namespace {

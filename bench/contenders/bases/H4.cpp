@@ -1,6 +1,6 @@
 // The hemisphere's basis of four numbers.
 #include "bench/contenders/light_map_store.h"
-#include "shlm/hemisphere_four.h"
+#include "shlm/basis/hemisphere_four.h"
 
 namespace bench {
 namespace {

@@ -1,6 +1,6 @@
 // Directional luminance and one colour.
 #include "bench/contenders/light_map_store.h"
-#include "shlm/luminance_nine.h"
+#include "shlm/basis/luminance_nine.h"
 
 namespace bench {
 namespace {

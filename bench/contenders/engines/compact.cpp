@@ -10,7 +10,7 @@ const RegisteredEngine registered(4, {.name = "compact",
                                       .purpose = "packed photons under a tree of this project: the strongest",
                                       .style = {"#202020", "D"},
                                       .bytes_per_hit = packed_bytes,
-                                      .most_photons = common::CompactIndex::max_points,
+                                      .most_photons = photonmap::CompactIndex::max_points,
                                       .make_store = make_photon_map_store<photonmap::CompactPhotonSink>});
 
 }  // namespace

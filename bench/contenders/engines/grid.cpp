@@ -10,7 +10,7 @@ const RegisteredEngine registered(3, {.name = "grid",
                                       .purpose = "cells of the gather's radius",
                                       .style = {"#b08d12", "P"},
                                       .bytes_per_hit = sorted_and_indexed(cell_bytes),
-                                      .most_photons = common::GridIndex::max_points,
+                                      .most_photons = photonmap::GridIndex::max_points,
                                       .for_one_radius = true,
                                       .make_store = make_photon_map_store<photonmap::GridPhotonSink>});
 

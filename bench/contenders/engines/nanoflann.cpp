@@ -10,7 +10,7 @@ const RegisteredEngine registered(2, {.name = "nanoflann",
                                       .purpose = "the same with the library that people would choose today",
                                       .style = {"#2f9e6e", "v"},
                                       .bytes_per_hit = sorted_and_indexed(tree_bytes),
-                                      .most_photons = common::NanoflannIndex::max_points,
+                                      .most_photons = photonmap::NanoflannIndex::max_points,
                                       .make_store = make_photon_map_store<photonmap::NanoflannPhotonSink>});
 
 }  // namespace

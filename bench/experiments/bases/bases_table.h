@@ -1,0 +1,22 @@
+// The finished table of the bases, as JSON and as text.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "bench/experiments/bases/basis_figures.h"
+#include "bench/experiments/bases/tilt_curve.h"
+
+namespace bench {
+
+/// context (with seed), definition, lights, rows and tilt.
+[[nodiscard]] nlohmann::ordered_json bases_as_json(std::span<const BasisFigures> figures,
+                                                   const TiltCurve& tilt, std::uint64_t seed);
+
+/// The rows in columns.
+[[nodiscard]] std::string bases_as_text(std::span<const BasisFigures> figures);
+
+/// The rows with all that is needed to read them, in Markdown.
+[[nodiscard]] std::string bases_as_markdown(std::span<const BasisFigures> figures, std::uint64_t seed);
+
+}  // namespace bench

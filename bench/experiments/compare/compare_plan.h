@@ -1,0 +1,46 @@
+// What a comparison is asked to do, checked.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/contenders/contender_options.h"
+#include "bench/setup/command.h"
+#include "bench/setup/run_options.h"
+
+namespace bench {
+
+struct CompareOptions {
+    std::vector<std::string> files;
+    std::vector<std::string> hits = {"1e4", "1e5", "1e6", "1e7"};
+    std::vector<std::string> methods = {"photonmap/flann", "photonmap/flann-incremental", "shlm"};
+    std::string out = "results/latest";
+    std::string max_memory;
+    std::size_t repetitions = 9;
+    double seconds_per_size = 1e9;
+    SceneOptions scene;
+    MethodOptions method_options;
+    RunOptions run;
+
+    void add_to(Command& command);
+};
+
+struct ComparePlan {
+    std::vector<std::string> files;
+    std::vector<std::uint64_t> hits;  ///< ascending, each once
+    std::vector<Contender> methods;
+    std::filesystem::path out;  ///< exists and can be written to
+    std::size_t max_bytes;
+    std::size_t repetitions;
+    double seconds_per_size;  ///< no repetition is begun that would take one scene and size past this
+    SceneOptions scene;
+    ContenderSettings settings;
+    int threads;
+    std::uint64_t seed;
+};
+
+/// Throws InputError for the first option that makes no sense; makes the output folder.
+[[nodiscard]] ComparePlan make_plan(const CompareOptions& options);
+
+}  // namespace bench

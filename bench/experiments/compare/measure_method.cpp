@@ -1,0 +1,94 @@
+#include "bench/experiments/compare/measure_method.h"
+
+#include <fmt/format.h>
+
+#include <new>
+
+#include "bench/contenders/trace_into.h"
+#include "common/core/memory_use.h"
+#include "common/core/stopwatch.h"
+
+namespace bench {
+namespace {
+
+TracedRun run_of(const Workload& w, const common::TraceProgress& progress) {
+    return {w.scene.rays, w.source, w.seed, w.target, progress};
+}
+
+/// Irradiance summed over the points and channels: the sum keeps the compiler from leaving the gathers out.
+double gather_all(const Answers& map, std::span<const common::SurfacePoint> points,
+                  std::span<common::Rgb> answers) {
+    map.irradiance(points, answers);
+    double sum = 0;
+    for (const common::Rgb& irradiance : answers) sum += irradiance.x + irradiance.y + irradiance.z;
+    return sum;
+}
+
+std::string past_its_bound(const Workload& w, std::uint64_t hits) {
+    return fmt::format("grew past --max-memory, {:.3g} GiB, at {:.3g} hits",
+                       static_cast<double>(w.max_bytes) * 0x1p-30, static_cast<double>(hits));
+}
+
+/// Asks the finished map for all queries, in both orders.
+void measure_gather(const Answers& map, const Workload& w, Measurement& m) {
+    std::vector<common::Rgb> answers(w.queries.image_order.size());
+    const common::Stopwatch gather;
+    const double sum = gather_all(map, w.queries.image_order, answers);
+    m.gather_seconds = gather.seconds();
+    const common::Stopwatch gather_shuffled;
+    const double shuffled_sum = gather_all(map, w.queries.shuffled, answers);
+    m.gather_shuffled_seconds = gather_shuffled.seconds();
+    m.mean_irradiance = (sum + shuffled_sum) / (6.0 * static_cast<double>(w.queries.image_order.size()));
+    m.peak_resident_bytes = common::peak_resident_bytes();
+}
+
+void measure(const Contender& contender, Store& store, const Workload& w, Measurement& m) {
+    const auto too_large = [&] {
+        const std::size_t now = common::resident_bytes();
+        return now > m.resident_before_bytes && now - m.resident_before_bytes > w.max_bytes;
+    };
+    m.trace = trace_into(store, run_of(w, [&](const common::TraceReport& so_far) {
+                             if (too_large()) m.given_up = past_its_bound(w, so_far.hits);
+                             return m.given_up.empty() && (!w.progress || w.progress(so_far));
+                         }));
+    if (m.trace.interrupted) return;
+    const StoreFacts facts = store.facts();
+    m.rejected = facts.rejected;
+    m.insert_bytes = facts.bytes;
+
+    const common::Stopwatch build;
+    const FinishedMap map = contender->finish(store, m.trace);
+    m.build_seconds = build.seconds();
+    m.bytes = map.answers->bytes();
+    if (too_large()) {
+        m.given_up = past_its_bound(w, m.trace.hits);
+        m.trace.interrupted = true;
+        return;
+    }
+    measure_gather(*map.answers, w, m);
+}
+
+}  // namespace
+
+Measurement measure_method(const Contender& contender, PreparedScene& scene, const Workload& workload) {
+    contender->prepare(scene);  // the scene's, not the run's
+    Measurement m;
+    m.peak_is_of_this_run = common::reset_peak_resident_bytes();
+    m.resident_before_bytes = common::resident_bytes();
+    try {
+        const common::Stopwatch making_room;
+        const std::unique_ptr<Store> store = contender->make_store(scene, workload.source);
+        m.making_room_seconds = making_room.seconds();
+        measure(contender, *store, workload, m);
+    } catch (const std::bad_alloc&) {
+        m.given_up = "found no more memory";
+        m.trace.interrupted = true;
+    }
+    return m;
+}
+
+common::TraceReport measure_null_sink(const Workload& workload) {
+    return trace_into_nothing(run_of(workload, workload.progress));
+}
+
+}  // namespace bench

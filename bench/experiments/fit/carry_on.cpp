@@ -1,0 +1,57 @@
+#include "bench/experiments/fit/carry_on.h"
+
+namespace bench::fit {
+namespace {
+
+/// Whether its width is what its value says. The k nearest of a large share are not: in dark places the
+/// largest gather radius cuts them off, so that a share's blur falls more slowly than its width.
+bool has_width_of_its_own(const Candidate& candidate) {
+    return candidate.kind != CandidateKind::photon_share;
+}
+
+/// Whether what was measured leaves room for what is carried on and knows less. Where it does not, the law
+/// does not hold: maps so coarse that they lose all there is to see blur hardly less when they are a little
+/// finer.
+bool says_more(const ErrorModel& carried, const ErrorModel& own, double z) {
+    return carried.upper_bias_sq(z) < own.upper_bias_sq(z) &&
+           carried.upper_bias_sq(z) >= own.lower_bias_sq(z);
+}
+
+/// Its bias by `coarse`, its noise its own.
+ErrorModel with_bias_of(ErrorModel own, const ErrorModel& carried) {
+    own.blur_sq = carried.blur_sq;
+    own.truncation_sq = carried.truncation_sq;
+    own.bias_variance = carried.bias_variance;
+    return own;
+}
+
+}  // namespace
+
+ErrorModel carried_on(const ErrorModel& coarse, double coarse_width, double width) {
+    const double finer = coarse_width / width, finer_sq = finer * finer;
+    ErrorModel model = coarse;
+    model.noise_sq *= finer_sq;
+    model.spread_variance *= finer_sq;
+    model.noise_variance *= finer_sq;
+    model.blur_sq /= finer;
+    model.bias_variance /= coarse.truncation_sq > 0 ? 1 : finer_sq;
+    return model;
+}
+
+void carry_on(std::span<const Candidate> candidates, double z, std::span<std::optional<ErrorModel>> model) {
+    std::optional<std::size_t> known;  // whose bias is carried on
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (known && candidates[*known].chain() != candidates[i].chain()) known.reset();
+        if (known) {
+            const ErrorModel carried =
+                carried_on(*model[*known], candidates[*known].width(), candidates[i].width());
+            if (!model[i])
+                model[i] = carried;
+            else if (has_width_of_its_own(candidates[i]) && says_more(carried, *model[i], z))
+                model[i] = with_bias_of(*model[i], carried);
+        }
+        if (model[i]) known = i;
+    }
+}
+
+}  // namespace bench::fit

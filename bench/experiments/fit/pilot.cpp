@@ -1,0 +1,121 @@
+#include "bench/experiments/fit/pilot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/contenders/memory_need.h"
+#include "bench/experiments/fit/stop.h"
+#include "bench/experiments/fit/traced_run.h"
+#include "common/core/stopwatch.h"
+
+namespace bench::fit {
+namespace {
+
+constexpr std::uint64_t first_photon_of_b = std::uint64_t{1} << 40;
+constexpr double least_hits_per_texel = 4;
+constexpr double most_texels_per_hit = 4;  // of an adaptive map: more make the same blocks of it, slowly
+
+/// Candidates that one store serves, by their places in the list.
+struct Group {
+    std::vector<std::size_t> members;
+    ContenderGroup contenders;
+};
+
+std::vector<Group> groups_of(std::span<const Candidate> candidates, std::span<const std::size_t> chosen,
+                             std::uint64_t hits) {
+    std::vector<Group> groups;
+    for (const std::size_t i : chosen) {
+        const Contender contender = candidates[i].contender(hits);
+        auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+            return share_store(g.contenders.front(), contender);
+        });
+        if (group == groups.end()) group = groups.insert(groups.end(), Group{});
+        group->members.push_back(i);
+        group->contenders.push_back(contender);
+    }
+    return groups;
+}
+
+/// Groups whose stores fit into memory side by side, filled by one trace. What does not fit alone is left
+/// out.
+std::vector<std::vector<Group>> batches_of(std::vector<Group> groups, const PilotSubject& subject,
+                                           std::uint64_t hits) {
+    std::vector<std::vector<Group>> batches;
+    std::size_t free = 0;
+    for (Group& group : groups) {
+        const ContenderSettings& settings = subject.prepared.settings();
+        if (!reason_to_skip(group.contenders.front(), settings, hits, subject.max_bytes).empty()) continue;
+        const std::size_t needed = needed_bytes(group.contenders.front(), settings, hits);
+        if (batches.empty() || needed > free) {
+            batches.emplace_back();
+            free = subject.max_bytes;
+        }
+        free -= needed;
+        batches.back().push_back(std::move(group));
+    }
+    return batches;
+}
+
+/// Adds half of what this half has cost: the mean of two.
+void add_cost(PilotCost& cost, const common::TraceReport& trace, const FilledStore& filled,
+              const FinishedMap& map, double gather_seconds) {
+    cost.hits += 0.5 * static_cast<double>(trace.hits);
+    cost.trace_seconds += 0.5 * trace.trace_seconds;
+    cost.insert_seconds += 0.5 * (filled.making_room_seconds + filled.insert_seconds);
+    cost.build_seconds += 0.5 * map.build_seconds;
+    cost.gather_seconds += 0.5 * gather_seconds;
+    cost.bytes += 0.5 * static_cast<double>(map.answers->bytes());
+}
+
+void fill_half(const PilotSubject& subject, const std::vector<Group>& batch, std::uint64_t hits,
+               bool second_half, std::vector<PilotSample>& samples) {
+    std::vector<FilledStore> stores;
+    for (const Group& group : batch) {
+        stop_if_interrupted();  // millions of texels take seconds to lay out
+        stores.emplace_back(group.contenders, subject.prepared, subject.source);
+    }
+    const common::TraceReport trace =
+        traced_run(fmt::format("{} pilot {:g}", subject.loaded.name, static_cast<double>(hits)),
+                   subject.loaded, subject.source, subject.seed,
+                   {.hits = hits, .first_photon = second_half ? first_photon_of_b : 0}, stores);
+    for (std::size_t g = 0; g < batch.size(); ++g) {
+        for (std::size_t i = 0; i < batch[g].members.size(); ++i) {
+            stop_if_interrupted();
+            PilotSample& sample = samples[batch[g].members[i]];
+            const FinishedMap map = batch[g].contenders[i]->finish(*stores[g].store, trace);
+            const common::Stopwatch gather;
+            (second_half ? sample.halves.b : sample.halves.a) = ask(*map.answers, subject.points.point);
+            if (!second_half) sample.cost = {};
+            add_cost(sample.cost, trace, stores[g], map, gather.seconds());
+        }
+        stores[g].store.reset();
+    }
+}
+
+}  // namespace
+
+bool is_measurable(const Candidate& candidate, std::uint64_t hits) {
+    const double n = static_cast<double>(hits);
+    switch (candidate.kind) {
+        case CandidateKind::light_map:
+            return candidate.value * least_hits_per_texel <= n;
+        case CandidateKind::sharing_map:
+            return candidate.value <= n;
+        case CandidateKind::adaptive_map:
+            return candidate.texels <= most_texels_per_hit * n;
+        case CandidateKind::photon_share:
+            return candidate.value * n >= least_nearest && candidate.value * n <= most_nearest;
+        case CandidateKind::photon_radius:
+            break;
+    }
+    return true;
+}
+
+void run_pilot(const PilotSubject& subject, std::span<const Candidate> candidates,
+               std::span<const std::size_t> chosen, std::uint64_t hits, std::vector<PilotSample>& samples) {
+    for (const std::vector<Group>& batch : batches_of(groups_of(candidates, chosen, hits), subject, hits))
+        for (const bool second_half : {false, true}) fill_half(subject, batch, hits, second_half, samples);
+}
+
+}  // namespace bench::fit

@@ -1,0 +1,46 @@
+// shlmbench_micro: the steps of both methods, each on its own, under Google Benchmark.
+#include <benchmark/benchmark.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/experiments/micro/subjects.h"
+#include "bench/setup/provenance.h"
+#include "common/core/input_error.h"
+
+namespace {
+
+void add_context(const bench::SharedInputs& inputs) {
+    const nlohmann::ordered_json facts = bench::provenance();
+    for (const char* key : {"machine", "compiler", "flags", "commit"})
+        benchmark::AddCustomContext(key, facts[key].get<std::string>());
+    benchmark::AddCustomContext("scene", inputs.loaded().name);
+    benchmark::AddCustomContext("seed", std::to_string(bench::micro_seed));
+}
+
+void run_all() {
+    bench::SharedInputs inputs(SHLMBENCH_MICRO_SCENE);
+    add_context(inputs);
+    bench::register_sh_benchmarks(inputs);
+    bench::register_trace_benchmarks(inputs);
+    bench::register_accumulate_benchmarks(inputs);
+    bench::register_sums_benchmarks(inputs);
+    bench::register_append_benchmarks(inputs);
+    bench::register_build_benchmarks(inputs);
+    bench::register_gather_benchmarks(inputs);
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    try {
+        run_all();
+        return 0;
+    } catch (const common::InputError& e) {
+        fmt::print(stderr, "shlmbench_micro: {}\n", e.what());
+        return 2;
+    }
+}

@@ -1,0 +1,45 @@
+// The harmonics alone: nine values of a direction, and irradiance from the coefficients of a texel.
+#include <benchmark/benchmark.h>
+
+#include "bench/experiments/micro/subjects.h"
+#include "shlm/map/light_map.h"
+
+namespace bench {
+namespace {
+
+constexpr std::uint64_t hits = 10'000;
+constexpr std::size_t texels = 16'384;
+
+/// Items: directions of recorded hits.
+void evaluate(benchmark::State& state, SharedInputs& inputs) {
+    const common::HitBatch& batch = inputs.recording(hits).waves.back().back();
+    for (auto _ : state)
+        for (const common::Vec3& direction : batch.direction) {
+            auto values = shlm::evaluate_sh<2>(direction);
+            benchmark::DoNotOptimize(values);
+        }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(batch.size()));
+}
+
+/// Items: texels of a finished map, each asked for its own normal.
+void irradiance(benchmark::State& state, SharedInputs& inputs) {
+    PreparedScene& methods = inputs.methods(texels);
+    const auto map =
+        map_of(inputs.recording(hits),
+               shlm::Sink<shlm::PaperModel>(methods.texels(), shlm::NearestTexels{}, inputs.quantum()));
+    for (auto _ : state)
+        for (const auto& texel : map.texels()) {
+            common::Rgb irradiance = texel.irradiance(texel.face.normal);
+            benchmark::DoNotOptimize(irradiance);
+        }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(map.texels().size()));
+}
+
+}  // namespace
+
+void register_sh_benchmarks(SharedInputs& inputs) {
+    benchmark::RegisterBenchmark("sh_evaluate", [&](benchmark::State& s) { evaluate(s, inputs); });
+    benchmark::RegisterBenchmark("sh_irradiance", [&](benchmark::State& s) { irradiance(s, inputs); });
+}
+
+}  // namespace bench

@@ -1,0 +1,75 @@
+// What a study is asked to do, checked.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/contenders/contender_options.h"
+#include "bench/setup/command.h"
+#include "bench/setup/run_options.h"
+
+namespace bench {
+
+struct StudyOptions {
+    std::vector<std::string> files;
+    std::vector<std::string> hits = {"1e4", "1e5", "1e6", "1e7"};
+    std::vector<std::string> methods = {"shlm/L2/radiance/surface4",
+                                        "shlm/L2/radiance/knn4",
+                                        "shlm/L2/radiance/own",
+                                        "shlm/L2/radiance/bilinear",
+                                        "shlm/L2/radiance/surface4/h0",
+                                        "shlm/L2/radiance/surface8",
+                                        "shlm/L0/normalised/surface4",
+                                        "shlm/L1/radiance/surface4",
+                                        "shlm/L4/radiance/surface4",
+                                        "shlm/L2/flux/surface4",
+                                        "shlm/L2/normalised/surface4",
+                                        "shlm/L2/radiance/surface4/t4096",
+                                        "shlm/L2/radiance/surface4/t16384",
+                                        "shlm/L2/radiance/surface4/t65536",
+                                        "shlm/L2/radiance/surface4/t1048576",
+                                        "photonmap/flann/k50/disc",
+                                        "photonmap/flann/k50/cone",
+                                        "photonmap/flann/k50/epanechnikov",
+                                        "photonmap/flann/k200/disc",
+                                        "photonmap/flann/k0.01n23/disc",
+                                        "photonmap/flann/k0.01n23/epanechnikov",
+                                        "photonmap/flann/r0.003/disc",
+                                        "photonmap/flann/r0.003/epanechnikov",
+                                        "photonmap/flann/r0.01/disc",
+                                        "photonmap/flann/r0.01/epanechnikov"};
+    std::string references = "results/references";
+    std::string out = "results/study";
+    std::string max_memory;
+    std::size_t seeds = 8;
+    bool anew = false;
+    SceneOptions scene;
+    MethodOptions method_options;
+    int threads = 0;
+
+    void add_to(Command& command);
+};
+
+struct StudyPlan {
+    std::vector<std::filesystem::path> files;
+    std::vector<std::uint64_t> hits;  ///< ascending, each once
+    std::vector<Contender> methods;   ///< those that one store can serve stand together
+    std::filesystem::path references;
+    std::filesystem::path out;  ///< exists and can be written to
+    std::size_t max_bytes;
+    std::uint64_t seeds;  ///< 1 to this
+    bool anew;            ///< begin again where the folder's rows are of another build, machine or setting
+    SceneOptions scene;
+    ContenderSettings settings;
+    int threads;
+
+    [[nodiscard]] std::filesystem::path reference_of(const std::filesystem::path& file) const {
+        return references / (file.stem().string() + ".exr");
+    }
+};
+
+/// Throws InputError for the first option that makes no sense; makes the output folder.
+[[nodiscard]] StudyPlan make_plan(const StudyOptions& options);
+
+}  // namespace bench

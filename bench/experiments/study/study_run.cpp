@@ -1,0 +1,141 @@
+#include "bench/experiments/study/study_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "bench/contenders/light_map.h"
+#include "bench/contenders/memory_need.h"
+#include "bench/contenders/trace_into.h"
+#include "bench/setup/output_folder.h"
+#include "common/core/input_error.h"
+#include "common/core/interrupt.h"
+#include "common/core/progress.h"
+#include "common/core/stopwatch.h"
+
+namespace bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What all methods of a run share.
+struct RunFacts {
+    std::string scene;
+    std::uint64_t hits_asked, seed;
+    common::TraceReport trace;
+};
+
+Json row_start(const RunFacts& facts, const Contender& method, const ContenderSettings& settings) {
+    const LightMapTechnique* light_map = method.light_map();
+    return {
+        {"scene", facts.scene},           {"method", method.name},
+        {"fields", method->fields()},     {"texels", light_map ? light_map->texel_choice(settings).count : 0},
+        {"hits_asked", facts.hits_asked}, {"seed", facts.seed}};
+}
+
+Json row_of(const RunFacts& facts, const Contender& contender, const ContenderSettings& settings,
+            const StoreFacts& store, double insert_seconds) {
+    Json row = row_start(facts, contender, settings);
+    row["hits"] = facts.trace.hits;
+    row["photons_emitted"] = facts.trace.fates.emitted;
+    row["trace_seconds"] = facts.trace.trace_seconds;
+    row["insert_seconds"] = insert_seconds;
+    row["insert_bytes"] = store.bytes;
+    row["hits_rejected"] = store.rejected.total();
+    if (contender.light_map()) row["clamped_share"] = store.clamped_share;
+    return row;
+}
+
+/// Folder of a method's answers, below the study's.
+std::filesystem::path answers_folder(const std::string& scene, std::string method) {
+    std::replace(method.begin(), method.end(), '/', '-');
+    return std::filesystem::path("raw") / scene / method;
+}
+
+/// Why the scene has not got what the method needs; empty where it has.
+std::string trouble_with_scene(const Contender& method, PreparedScene& prepared) {
+    try {
+        method->prepare(prepared);
+        return "";
+    } catch (const common::InputError& e) {
+        return e.what();
+    }
+}
+
+/// Groups that fit into memory side by side; rows with the reason for the others.
+std::vector<ContenderGroup> that_fit(std::vector<ContenderGroup> groups, const StudyPlan& plan,
+                                     PreparedScene& prepared, const RunFacts& facts,
+                                     std::vector<Json>& skipped) {
+    std::size_t free = plan.max_bytes;
+    std::erase_if(groups, [&](const ContenderGroup& group) {
+        std::string reason = reason_to_skip(group.front(), plan.settings, facts.hits_asked, free);
+        if (reason.empty()) reason = trouble_with_scene(group.front(), prepared);
+        for (const Contender& method : group) {
+            if (reason.empty()) continue;
+            skipped.push_back(row_start(facts, method, plan.settings));
+            skipped.back()["skipped"] = reason;
+        }
+        if (reason.empty()) free -= needed_bytes(group.front(), plan.settings, facts.hits_asked);
+        return !reason.empty();
+    });
+    return groups;
+}
+
+/// The map of each contender that the store serves, one after the other.
+void ask_all(const FilledStore& filled, const RunFacts& facts, const StudyPlan& plan, ReferenceScene& scene,
+             std::vector<Json>& rows) {
+    const StoreFacts store = filled.store->facts();
+    const double insert_seconds = filled.making_room_seconds + filled.insert_seconds;
+    for (const Contender& contender : filled.contenders) {
+        if (common::interrupted()) return;
+        const FinishedMap map = contender->finish(*filled.store, facts.trace);
+        Json row = row_of(facts, contender, plan.settings, store, insert_seconds);
+        row["build_seconds"] = map.build_seconds;
+        row["bytes"] = map.answers->bytes();
+        const common::Stopwatch gather;
+        const std::vector<common::Rgb> answers = ask(*map.answers, scene.points());
+        row["gather_seconds"] = gather.seconds();
+
+        const std::filesystem::path folder = answers_folder(scene.name(), contender.name);
+        prepare_output_folder("--out", plan.out / folder);
+        const std::filesystem::path file = folder / fmt::format("{}-{}.f32", facts.hits_asked, facts.seed);
+        write_binary(plan.out / file, answers.data(), answers.size() * sizeof(common::Rgb));
+        row["answers"] = file.string();
+        rows.push_back(std::move(row));
+    }
+}
+
+}  // namespace
+
+StudyRun run_study(const StudyPlan& plan, ReferenceScene& scene, const std::vector<Contender>& methods,
+                   std::uint64_t hits, std::uint64_t seed) {
+    StudyRun run;
+    RunFacts facts{scene.name(), hits, seed, {}};
+    std::vector<FilledStore> stores;
+    std::vector<ContenderGroup> groups =
+        that_fit(groups_of(methods), plan, scene.prepared(), facts, run.rows);
+    // The first store finds a wave's hits in cache and its own sums not, so every seed begins with another.
+    if (!groups.empty()) std::rotate(groups.begin(), groups.begin() + seed % groups.size(), groups.end());
+    for (ContenderGroup& group : groups)
+        stores.emplace_back(std::move(group), scene.prepared(), scene.source());
+    if (stores.empty()) return run;
+
+    common::Progress progress(fmt::format("{} {:g} seed {}", scene.name(), static_cast<double>(hits), seed),
+                              "hits", hits);
+    facts.trace = trace_into(
+        stores,
+        {scene.loaded().rays, scene.source(), seed, {.hits = hits}, [&](const common::TraceReport& so_far) {
+             progress.show(so_far.hits);
+             return !common::interrupted();
+         }});
+    for (FilledStore& filled : stores) {
+        if (common::interrupted()) return {{}, true};
+        ask_all(filled, facts, plan, scene, run.rows);
+        filled.store.reset();
+    }
+    if (common::interrupted()) return {{}, true};
+    return run;
+}
+
+}  // namespace bench

@@ -1,0 +1,53 @@
+// study.json while it grows.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
+
+#include "bench/experiments/study/study_plan.h"
+
+namespace bench {
+
+/// Begins with what an earlier run has left in the folder, so that a study can be stopped and gone on with,
+/// or extended by scenes, methods, sizes and seeds.
+class StudyTable {
+  public:
+    /// Throws InputError where the folder has a study of another build, machine or setting: hours of work are
+    /// not overwritten.
+    explicit StudyTable(const StudyPlan& plan);
+
+    /// Methods without a row. Skipped ones are judged anew.
+    [[nodiscard]] std::vector<Contender> missing(const std::string& scene,
+                                                 const std::vector<Contender>& methods, std::uint64_t hits,
+                                                 std::uint64_t seed) const;
+    [[nodiscard]] bool is_missing_any(const std::string& scene, const std::vector<Contender>& methods,
+                                      std::uint64_t hits, std::uint64_t seeds) const;
+
+    /// Throws InputError where the scene has rows for other points or another version of it: they cannot
+    /// stand beside each other.
+    void describe_scene(const std::string& name, const nlohmann::ordered_json& facts);
+
+    /// Appends the rows and writes the file anew: what is finished survives whatever comes.
+    void add(const std::vector<nlohmann::ordered_json>& rows);
+
+    /// Calls `change` with every row of a scene that has been measured, and writes the file anew.
+    void change_rows(const std::string& scene, const std::function<void(nlohmann::ordered_json&)>& change);
+
+    [[nodiscard]] std::size_t row_count() const { return document_["rows"].size(); }
+    [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+  private:
+    using Key = std::tuple<std::string, std::string, std::uint64_t, std::uint64_t>;
+
+    [[nodiscard]] static Key key_of(const nlohmann::ordered_json& row);
+    void write() const;
+
+    std::filesystem::path file_;
+    nlohmann::ordered_json document_;
+    std::set<Key> present_;  ///< scene, method, hits asked, seed
+};
+
+}  // namespace bench

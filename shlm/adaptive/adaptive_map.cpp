@@ -1,0 +1,275 @@
+#include "shlm/adaptive/adaptive_map.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <bit>
+
+#include "common/core/input_error.h"
+#include "shlm/map/irradiance_mean.h"
+#include "shlm/map/packed_normal.h"
+#include "shlm/map/stored_texel.h"
+
+namespace shlm {
+namespace {
+
+using common::Rgb;
+using common::Vec3;
+
+constexpr std::uint32_t block_bit = 0x80000000u, offset_mask = 0x0fffffffu;
+
+BlockKind kind_of(std::uint32_t node) {
+    return static_cast<BlockKind>((node >> 28) & 7);
+}
+
+std::uint32_t block_node(BlockKind kind, std::size_t offset) {
+    return block_bit | static_cast<std::uint32_t>(kind) << 28 | static_cast<std::uint32_t>(offset);
+}
+
+std::vector<float> kept_numbers(BlockKind kind, const LightBlock& block) {
+    const BlockLight light = block.light();
+    if (kind == BlockKind::flat) return {light.surface.x, light.surface.y, light.surface.z};
+    if (kind < BlockKind::flat) return {};
+    return with_directional_basis(kind, [&](auto basis) {
+        const auto numbers = shlm::numbers_of<decltype(basis)>(light, block.surface.unit_normal());
+        return std::vector<float>(numbers.begin(), numbers.end());
+    });
+}
+
+}  // namespace
+
+/// A face's blocks before they are put together with those of the others.
+struct AdaptiveMap::Draft {
+    struct Block {
+        BlockKind kind = BlockKind::uncovered;
+        Vec3 normal{0, 0, 0};
+        std::vector<float> number;
+    };
+    RegionFace face;
+    bool flat;
+    Vec3 normal;
+    std::vector<Node> node;  ///< the first is the root; of blocks: index into `block`
+    std::vector<Block> block;
+};
+
+/// Goes down from the largest block and draws what was chosen.
+class AdaptiveMap::Drawing {
+  public:
+    static Draft draft_of(const LightPyramid& pyramid, bool flat, const BlockChoice& choice) {
+        Drawing drawing(pyramid, flat, choice);
+        drawing.draft_.node.push_back(0);
+        drawing.draw(0, pyramid.levels() - 1, 0, 0);
+        return std::move(drawing.draft_);
+    }
+
+  private:
+    Drawing(const LightPyramid& pyramid, bool flat, const BlockChoice& choice)
+        : pyramid_(pyramid), choice_(choice) {
+        draft_.face = pyramid.face();
+        draft_.flat = flat;
+        draft_.normal = pyramid.largest_block().surface.unit_normal();
+    }
+
+    void draw(std::size_t node, std::size_t level, std::uint32_t x, std::uint32_t y) {
+        const bool inside = x < pyramid_.width(level) && y < pyramid_.height(level);
+        const std::uint8_t chosen = inside ? choice_.of_block[pyramid_.index(level, x, y)]
+                                           : static_cast<std::uint8_t>(BlockKind::uncovered);
+        if (chosen != divided) {
+            Draft::Block kept = inside ? block_of(static_cast<BlockKind>(chosen), pyramid_.block(level, x, y))
+                                       : Draft::Block();
+            draft_.node[node] = block_node(kept.kind, draft_.block.size());
+            draft_.block.push_back(std::move(kept));
+            return;
+        }
+        const std::size_t first = draft_.node.size();
+        draft_.node[node] = static_cast<Node>(first);
+        draft_.node.resize(first + 4);
+        for (std::uint32_t i = 0; i < 4; ++i) draw(first + i, level - 1, 2 * x + i % 2, 2 * y + i / 2);
+    }
+
+    /// Uncovered, too, where it looks nowhere as its texels' normals cancel.
+    static Draft::Block block_of(BlockKind kind, const LightBlock& block) {
+        const Vec3 normal = block.surface.unit_normal();
+        if (kind == BlockKind::uncovered || normal == Vec3(0, 0, 0)) return {};
+        return {kind, normal, kept_numbers(kind, block)};
+    }
+
+    const LightPyramid& pyramid_;
+    const BlockChoice& choice_;
+    Draft draft_;
+};
+
+AdaptiveMap::AdaptiveMap(const BlockSearch& search, const TexelLayout& layout, double wanted_error,
+                         bool smooth)
+    : smooth_(smooth), places_(layout) {
+    const std::span<const LightPyramid> pyramids = search.pyramids();
+    const bool has_backs = std::any_of(pyramids.begin(), pyramids.end(),
+                                       [](const LightPyramid& pyramid) { return pyramid.face().back; });
+    face_.resize((has_backs ? 2 : 1) * places_.region_count());
+    const MapBlocks blocks = search.smallest(wanted_error);
+    estimated_error_ = blocks.error;
+    std::vector<Draft> drafts(pyramids.size());
+    tbb::parallel_for(std::size_t{0}, pyramids.size(), [&](std::size_t f) {
+        drafts[f] = Drawing::draft_of(pyramids[f], search.is_flat(f), blocks.face[f]);
+    });
+    assemble(drafts);
+}
+
+void AdaptiveMap::assemble(std::span<const Draft> drafts) {
+    float largest = 0;
+    std::size_t nodes = 0, numbers = 0;
+    for (const Draft& draft : drafts) {
+        nodes += draft.node.size();
+        for (const Draft::Block& block : draft.block) {
+            ++blocks_[static_cast<std::size_t>(block.kind)];
+            numbers += block.number.size() + (draft.flat || block.kind == BlockKind::uncovered ? 0 : 2);
+            const std::size_t light_numbers = block_light_numbers(block.kind);
+            for (std::size_t i = 0; i < light_numbers; ++i)
+                largest = std::max(largest, std::abs(block.number[i]));
+        }
+    }
+    if (nodes > block_bit || numbers > offset_mask)
+        throw common::InputError(
+            fmt::format("an adaptive light map of {} numbers is too large: fewer texels, please", numbers));
+    unit_ = unit_for_halves(largest);
+    node_.reserve(nodes);
+    number_.reserve(numbers);
+    for (const Draft& draft : drafts) {
+        const auto base = static_cast<Node>(node_.size());
+        Face& face = face_[face_index(draft.face.region, draft.face.back)];
+        face.root = base;
+        if (draft.flat) face.normal = pack_normal(draft.normal);
+        for (const Node node : draft.node) {
+            if ((node & block_bit) == 0) {
+                node_.push_back(base + node);
+                continue;
+            }
+            const Draft::Block& block = draft.block[node & offset_mask];
+            node_.push_back(block_node(block.kind, number_.size()));
+            if (!draft.flat && block.kind != BlockKind::uncovered)
+                for (const std::uint16_t half_of_normal : pack_normal(block.normal))
+                    number_.push_back(half_of_normal);
+            const std::size_t light_numbers = block_light_numbers(block.kind);
+            for (std::size_t i = 0; i < block.number.size(); ++i)
+                number_.push_back(half_of(block.number[i], i < light_numbers ? unit_ : 1).bits());
+        }
+    }
+}
+
+std::size_t AdaptiveMap::bytes() const {
+    return places_.bytes() + face_.capacity() * sizeof(Face) + node_.capacity() * sizeof(Node) +
+           number_.capacity() * sizeof(number_[0]);
+}
+
+AdaptiveMap::Found AdaptiveMap::find(const Face& face, const TexelRegion& region, std::uint32_t x,
+                                     std::uint32_t y) const {
+    Found found{node_[face.root], 0, 0, std::bit_ceil(std::max(region.width, region.height))};
+    while ((found.node & block_bit) == 0) {
+        found.size /= 2;
+        const std::uint32_t right = x >= found.x + found.size, below = y >= found.y + found.size;
+        found.x += right * found.size;
+        found.y += below * found.size;
+        found.node = node_[found.node + 2 * below + right];
+    }
+    return found;
+}
+
+/// The weighted mean of blocks that look a point's way.
+class BlockMean {
+  public:
+    BlockMean(const AdaptiveMap& map, const AdaptiveMap::Face& face, const common::SurfacePoint& point)
+        : map_(map), face_(face), point_(point) {}
+
+    void add(std::uint32_t node, float weight) {
+        const BlockKind kind = kind_of(node);
+        if (kind == BlockKind::uncovered || weight <= 0) return;
+        const std::uint16_t* stored = map_.number_.data() + (node & offset_mask);
+        const std::uint16_t* packed = face_.has_one_normal() ? face_.normal.data() : stored;
+        const Vec3 normal = unpack_normal(packed[0], packed[1]);
+        if (normal.dot(point_.geometric_normal) <= common::same_surface_cosine) return;
+        mean_.add(answer(kind, stored + (face_.has_one_normal() ? 0 : 2), normal), weight);
+    }
+
+    [[nodiscard]] Rgb irradiance() const { return mean_.irradiance() * map_.unit_; }
+
+  private:
+    /// In units of the map's.
+    [[nodiscard]] Rgb answer(BlockKind kind, const std::uint16_t* stored, const Vec3& normal) const {
+        const auto number = [&](std::size_t i) {
+            half h;
+            h.setBits(stored[i]);
+            return static_cast<float>(h);
+        };
+        if (kind == BlockKind::dark) return {0, 0, 0};
+        if (kind == BlockKind::flat) return {number(0), number(1), number(2)};
+        return with_directional_basis(kind, [&](auto basis) {
+            using Basis = decltype(basis);
+            typename Basis::Numbers numbers;
+            for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = number(i);
+            return Basis::irradiance(numbers, normal, typename Basis::Question(point_.shading_normal));
+        });
+    }
+
+    const AdaptiveMap& map_;
+    const AdaptiveMap::Face& face_;
+    const common::SurfacePoint& point_;
+    IrradianceMean mean_;
+};
+
+common::Rgb AdaptiveMap::irradiance(const common::SurfacePoint& point) const {
+    const std::optional<TexelPlace> place = places_.find(point);
+    if (!place) return {0, 0, 0};
+    const TexelRegion& region = places_.region(*place);
+    const Face& face = face_[face_index(place->region, place->back)];
+    const std::uint32_t x = place->column(region), y = place->row(region);
+    const Found own = find(face, region, x, y);
+    BlockMean mean(*this, face, point);
+    if (!smooth_) {
+        mean.add(own.node, 1);
+        return mean.irradiance();
+    }
+
+    // Across the nearer border on either axis: the blocks there, and how far into them.
+    const auto half_size = static_cast<float>(own.size) / 2;
+    const float from_x = place->at.x - (static_cast<float>(own.x) + half_size),
+                from_y = place->at.y - (static_cast<float>(own.y) + half_size);
+    const std::int64_t over_x = from_x < 0 ? std::int64_t{own.x} - 1 : std::int64_t{own.x} + own.size,
+                       over_y = from_y < 0 ? std::int64_t{own.y} - 1 : std::int64_t{own.y} + own.size;
+    const bool has_x = over_x >= 0 && over_x < region.width, has_y = over_y >= 0 && over_y < region.height;
+    // Half on the border, nothing as far from it as half the smaller of the two blocks is wide.
+    const auto share = [&](float from, std::uint32_t other_size) {
+        const float reach = static_cast<float>(std::min(own.size, other_size)) / 2;
+        return std::clamp((std::abs(from) - (half_size - reach)) / (2 * reach), 0.0f, 0.5f);
+    };
+    Found beside{}, below{};
+    float share_x = 0, share_y = 0;
+    if (has_x) {
+        beside = find(face, region, static_cast<std::uint32_t>(over_x), y);
+        share_x = share(from_x, beside.size);
+    }
+    if (has_y) {
+        below = find(face, region, x, static_cast<std::uint32_t>(over_y));
+        share_y = share(from_y, below.size);
+    }
+    mean.add(own.node, (1 - share_x) * (1 - share_y));
+    if (share_x > 0) mean.add(beside.node, share_x * (1 - share_y));
+    if (share_y > 0) mean.add(below.node, (1 - share_x) * share_y);
+    if (share_x > 0 && share_y > 0)
+        mean.add(
+            find(face, region, static_cast<std::uint32_t>(over_x), static_cast<std::uint32_t>(over_y)).node,
+            share_x * share_y);
+    return mean.irradiance();
+}
+
+std::optional<AdaptiveMap::BlockAt> AdaptiveMap::block_at(const common::SurfacePoint& point) const {
+    const std::optional<TexelPlace> place = places_.find(point);
+    if (!place) return std::nullopt;
+    const TexelRegion& region = places_.region(*place);
+    const Found own = find(face_[face_index(place->region, place->back)], region, place->column(region),
+                           place->row(region));
+    const BlockKind kind = kind_of(own.node);
+    if (kind == BlockKind::uncovered) return std::nullopt;
+    return BlockAt{kind, own.size};
+}
+
+}  // namespace shlm

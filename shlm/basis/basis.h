@@ -1,0 +1,42 @@
+// What a finished texel keeps of its light: the contract of the basis ladder, one file for each basis.
+#pragma once
+
+#include <concepts>
+
+#include "shlm/basis/texel_model.h"
+
+namespace shlm {
+
+/// A basis turns the harmonics that a texel has summed into the numbers that it keeps, and those into
+/// irradiance:
+///
+/// - `order`: of the harmonics that it is made from.
+/// - `Numbers`: what is kept, an array of floats. The first `light_numbers` of them are W/m^2, the others
+///   have no unit.
+/// - `Question`: made from a shading normal; what all texels that are asked for it share.
+/// - `numbers_of(light, face_normal)`: of a texel whose mean normal is `face_normal`, unit.
+/// - `irradiance(numbers, face_normal, question)`: W/m^2; what the truncated series takes below zero is not
+///   cut off here.
+template <class B>
+concept Basis = SupportedOrder<B::order> && std::constructible_from<typename B::Question, common::Vec3> &&
+    requires(const TexelLight<B::order>& light, const typename B::Numbers& numbers,
+             const common::Vec3& face_normal, const typename B::Question& question) {
+    { B::light_numbers } -> std::convertible_to<std::size_t>;
+    { B::numbers_of(light, face_normal) } -> std::same_as<typename B::Numbers>;
+    { B::irradiance(numbers, face_normal, question) } -> std::same_as<common::Rgb>;
+};
+
+template <Basis B>
+inline constexpr std::size_t number_count = std::tuple_size_v<typename B::Numbers>;
+
+/// Three of the numbers, from number `first` on.
+template <std::size_t Count>
+[[nodiscard]] inline common::Rgb rgb_at(const std::array<float, Count>& numbers, std::size_t first) {
+    return {numbers[first], numbers[first + 1], numbers[first + 2]};
+}
+template <std::size_t Count>
+inline void set_rgb(std::array<float, Count>& numbers, std::size_t first, const common::Rgb& rgb) {
+    for (std::size_t c = 0; c < 3; ++c) numbers[first + c] = rgb[static_cast<int>(c)];
+}
+
+}  // namespace shlm

@@ -1,0 +1,35 @@
+// The harmonics themselves: what is summed is what is kept (Good and Taylor 2005, order 2).
+#pragma once
+
+#include "shlm/basis/basis.h"
+
+namespace shlm {
+
+template <int Order>
+struct Harmonics {
+    static constexpr int order = Order;
+    using Numbers = std::array<float, 3 * harmonic_count(Order)>;  ///< channel c of harmonic i at [3 i + c]
+    static constexpr std::size_t light_numbers = 3 * harmonic_count(Order);
+
+    struct Question {
+        explicit Question(const common::Vec3& shading_normal) : y(evaluate_sh<Order>(shading_normal)) {}
+        ShValues<Order> y;
+    };
+
+    [[nodiscard]] static Numbers numbers_of(const TexelLight<Order>& light, const common::Vec3&) {
+        Numbers numbers;
+        for (std::size_t i = 0; i < light.size(); ++i) set_rgb(numbers, 3 * i, light[i]);
+        return numbers;
+    }
+
+    [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3&,
+                                                const Question& question) {
+        common::Rgb sum(0, 0, 0);
+        for (std::size_t i = 0; i < question.y.size(); ++i) sum += rgb_at(numbers, 3 * i) * question.y[i];
+        return sum;
+    }
+};
+
+static_assert(Basis<Harmonics<0>> && Basis<Harmonics<4>>);
+
+}  // namespace shlm

@@ -1,0 +1,67 @@
+// Order 2 written as a polynomial of the normal, and what of it can be seen from one side.
+#pragma once
+
+#include <Imath/ImathMatrix.h>
+
+#include "shlm/basis/texel_model.h"
+
+namespace shlm {
+
+/// One channel's irradiance: constant + linear . n + n^T matrix n, with a symmetric matrix of trace 0. W/m^2.
+struct QuadraticLight {
+    float constant = 0;
+    common::Vec3 linear{0, 0, 0};
+    Imath::M33f matrix{0, 0, 0, 0, 0, 0, 0, 0, 0};
+
+    [[nodiscard]] float at(const common::Vec3& n) const {
+        return constant + linear.dot(n) + n.dot(n * matrix);
+    }
+};
+
+/// The same in the words of Ramamoorthi and Hanrahan (2001), eq. 11 and 12: sh_basis.h's bands 0 to 2
+/// multiplied out. `coefficients`: one for each harmonic, W/m^2.
+[[nodiscard]] inline QuadraticLight quadratic_light(
+    const std::array<float, harmonic_count(2)>& coefficients) {
+    constexpr float c0 = 0.282094792f, c1 = 0.488602512f, c2 = 1.092548431f, c20 = 0.315391565f,
+                    c22 = 0.546274215f;
+    const auto& e = coefficients;
+    const float xy = c2 / 2 * e[4], yz = c2 / 2 * e[5], xz = c2 / 2 * e[7];
+    const float zz = 2 * c20 * e[6];  // 3 z^2 - 1 is 2 z^2 - x^2 - y^2
+    const float difference = c22 * e[8];
+    return {c0 * e[0],
+            common::Vec3(e[3], e[1], e[2]) * c1,
+            {-zz / 2 + difference, xy, xz, xy, -zz / 2 - difference, yz, xz, yz, zz}};
+}
+
+/// The nearest light with no quadratic part, over the normals n with n . face_normal >= 0, all alike (least
+/// squares; the span {1, x, y, z} of the hemispherical basis H4, Habel and Wimmer 2010).
+///
+/// In a frame whose z is the face's normal: of n^T M n, the part along z, m (3 z^2 - 1) / 2, is nearest to
+/// m (3 z - 1.5) / 2, since z is uniform from 0 to 1 there; 2 m' x z is nearest to 3/4 m' x; x y and
+/// x^2 - y^2 are orthogonal to all four.
+[[nodiscard]] inline QuadraticLight hemisphere_fit(const QuadraticLight& light,
+                                                   const common::Vec3& face_normal) {
+    const common::Vec3 along = face_normal * light.matrix;
+    const float zz = face_normal.dot(along);
+    return {light.constant - 0.75f * zz,
+            light.linear + (along + face_normal * zz) * 0.75f,
+            {0, 0, 0, 0, 0, 0, 0, 0, 0}};
+}
+
+/// Channel c of harmonics.
+template <std::size_t Count>
+[[nodiscard]] inline std::array<float, Count> channel_of(const std::array<common::Rgb, Count>& light, int c) {
+    std::array<float, Count> channel;
+    for (std::size_t i = 0; i < Count; ++i) channel[i] = light[i][c];
+    return channel;
+}
+
+/// Mean of the channels: the one light whose shape stands for all three where only one is kept.
+template <std::size_t Count>
+[[nodiscard]] inline std::array<float, Count> grey_of(const std::array<common::Rgb, Count>& light) {
+    std::array<float, Count> grey;
+    for (std::size_t i = 0; i < Count; ++i) grey[i] = common::mean_component(light[i]);
+    return grey;
+}
+
+}  // namespace shlm

@@ -1,0 +1,17 @@
+// Which triangles hang together in the lightmap.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/scene/scene.h"
+
+namespace shlm {
+
+/// The island of each of the instance's triangles, numbered from 0 in the order of their first triangles:
+/// triangles that share an edge, whose ends have the same positions and the same coordinates of
+/// `texcoord_set` on both sides, are of one island.
+[[nodiscard]] std::vector<std::uint32_t> uv_islands(const common::Scene& scene,
+                                                    const common::MeshInstance& instance, int texcoord_set);
+
+}  // namespace shlm

@@ -1,0 +1,89 @@
+// A texel as the finished map stores it: floats, or halves of them and a packed face.
+#pragma once
+
+#include <Imath/half.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "shlm/basis/basis.h"
+#include "shlm/map/packed_normal.h"
+#include "shlm/map/texel_lookup.h"
+
+namespace shlm {
+
+using Imath::half;
+
+/// A TexelFace in six bytes: its area a 65535th of the largest one's or more, in that unit.
+struct PackedFace {
+    std::array<std::uint16_t, 2> normal{};
+    std::uint16_t area = 0;
+
+    PackedFace() = default;
+    PackedFace(const TexelFace& face, float largest_area) {
+        if (face.area == 0 || face.normal == common::Vec3(0, 0, 0)) return;  // faces no one
+        normal = pack_normal(face.normal);
+        area = static_cast<std::uint16_t>(std::max(std::lround(face.area / largest_area * 0xffff), 1l));
+    }
+
+    [[nodiscard]] TexelFace unpacked() const {
+        return {unpack_normal(normal[0], normal[1]), static_cast<float>(area)};
+    }
+};
+
+/// A texel that a gather can find. `Number`: float or half.
+template <Basis B, class Number = float>
+struct Texel {
+    static constexpr std::size_t count = number_count<B>;
+
+    std::conditional_t<std::is_same_v<Number, float>, TexelFace, PackedFace> face;
+    std::array<Number, count> stored;
+
+    /// Those in W/m^2 in units of the map's (LightMap::unit).
+    [[nodiscard]] typename B::Numbers numbers() const {
+        typename B::Numbers numbers;
+        for (std::size_t i = 0; i < count; ++i) numbers[i] = static_cast<float>(stored[i]);
+        return numbers;
+    }
+
+    /// For a shading normal, in units of the map's; may be negative.
+    [[nodiscard]] common::Rgb irradiance(const common::Vec3& shading_normal) const {
+        return B::irradiance(numbers(), face.unpacked().normal, typename B::Question(shading_normal));
+    }
+};
+
+/// W/m^2, a power of two: so large that no number of light in these units is beyond what a half can hold, and
+/// as halves have 40 binary orders of magnitude, what is 4e-9 of the brightest still has all 11 bits.
+/// `largest`: magnitude of the numbers.
+[[nodiscard]] inline float unit_for_halves(float largest) {
+    if (largest == 0) return 1;
+    constexpr int largest_exponent = 15;  // 2^15 <= 65504
+    return std::ldexp(1.0f, std::max(std::ilogb(largest) + 1 - largest_exponent, -120));
+}
+template <Basis B>
+[[nodiscard]] float unit_for_halves(std::span<const Texel<B>> texels) {
+    float largest = 0;
+    for (const Texel<B>& texel : texels)
+        for (std::size_t i = 0; i < B::light_numbers; ++i)
+            largest = std::max(largest, std::abs(texel.stored[i]));
+    return unit_for_halves(largest);
+}
+
+/// The nearest half; the last one for what is beyond it.
+[[nodiscard]] inline half half_of(float number, float unit) {
+    constexpr float largest = 65504;
+    return half(std::clamp(number / unit, -largest, largest));
+}
+
+/// `unit` of the numbers; `largest_area` of all texels of the map.
+template <Basis B>
+[[nodiscard]] Texel<B, half> in_halves(const Texel<B>& texel, float unit, float largest_area) {
+    Texel<B, half> result{{texel.face, largest_area}, {}};
+    for (std::size_t i = 0; i < result.stored.size(); ++i)
+        result.stored[i] = half_of(texel.stored[i], i < B::light_numbers ? unit : 1);
+    return result;
+}
+
+}  // namespace shlm

@@ -1,0 +1,147 @@
+// Which texels answer for a point, and with what weight.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "common/estimator/irradiance_estimator.h"
+#include "common/point_index/flann_index.h"
+#include "shlm/layout/prepared_texels.h"
+#include "shlm/layout/texel_places.h"
+#include "shlm/map/gather.h"
+
+namespace shlm {
+
+/// What a lookup knows of a texel of the finished map.
+struct TexelFace {
+    common::Vec3 normal;  ///< unit, out of the face
+    float area;           ///< one unit for all texels of a map; 0: no triangle covers the texel
+
+    [[nodiscard]] bool looks_the_way_of(const common::SurfacePoint& point) const {
+        return area > 0 && normal.dot(point.geometric_normal) > common::same_surface_cosine;
+    }
+
+    [[nodiscard]] const TexelFace& unpacked() const { return *this; }
+};
+
+// Each lookup says which texels of the layout the finished map holds, in its own order, and calls
+// `use(index, weight)` for those that answer for a point; `face(index)` is the TexelFace of one of them.
+// Weights need not add up to 1.
+
+/// The texel that the point lies in. Nothing where it has none.
+class OwnTexelLookup {
+  public:
+    OwnTexelLookup(const PreparedTexels& texels, OwnTexel) : places_(texels.layout) {}
+
+    [[nodiscard]] static std::vector<std::uint32_t> held_texels(const PreparedTexels& texels);
+
+    template <class Face, class Use>
+    void visit(const common::SurfacePoint& point, Face, Use use) const {
+        const std::optional<TexelPlace> place = places_.find(point);
+        if (!place) return;
+        const TexelRegion& region = places_.region(*place);
+        use(region.first_texel_of(place->back) + place->row(region) * region.width + place->column(region),
+            1.0f);
+    }
+
+    [[nodiscard]] std::size_t bytes() const { return places_.bytes(); }
+
+  private:
+    TexelPlaces places_;
+};
+
+/// The four texels around the point in its mesh instance's rectangle of the lightmap, by their covered areas,
+/// without those that look another way. Where the lightmap is cut, it does not see across.
+class BilinearLookup {
+  public:
+    BilinearLookup(const PreparedTexels& texels, Bilinear) : places_(texels.layout) {}
+
+    [[nodiscard]] static std::vector<std::uint32_t> held_texels(const PreparedTexels& texels) {
+        return OwnTexelLookup::held_texels(texels);
+    }
+
+    template <class Face, class Use>
+    void visit(const common::SurfacePoint& point, Face face, Use use) const {
+        const std::optional<TexelPlace> place = places_.find(point);
+        if (!place) return;
+        const TexelRegion& region = places_.region(*place);
+        const common::Vec2 at = place->at - common::Vec2(0.5f, 0.5f);
+        const float left = std::floor(at.x), top = std::floor(at.y);
+        const std::uint32_t first = region.first_texel_of(place->back);
+        for (int dy = 0; dy < 2; ++dy)
+            for (int dx = 0; dx < 2; ++dx) {
+                const int x = static_cast<int>(left) + dx, y = static_cast<int>(top) + dy;
+                if (x < 0 || y < 0 || x >= static_cast<int>(region.width) ||
+                    y >= static_cast<int>(region.height))
+                    continue;
+                const std::uint32_t texel =
+                    first + static_cast<std::uint32_t>(y) * region.width + static_cast<std::uint32_t>(x);
+                const float across = dx == 0 ? 1 - (at.x - left) : at.x - left;
+                const float down = dy == 0 ? 1 - (at.y - top) : at.y - top;
+                if (const TexelFace found = face(texel); found.looks_the_way_of(point))
+                    use(texel, across * down * found.area);
+            }
+    }
+
+    [[nodiscard]] std::size_t bytes() const { return places_.bytes(); }
+
+  private:
+    TexelPlaces places_;
+};
+
+/// The nearest texels in space that look the point's way, by their areas projected onto its surface, as far
+/// as four widths of the largest texel: every point of the surface has a texel of its own that near. If
+/// NearestTexels asks for the own surface's, others count only where that has no texels at all so near.
+class NearestTexelsLookup {
+  public:
+    NearestTexelsLookup(const PreparedTexels& texels, NearestTexels nearest);
+
+    /// The covered ones.
+    [[nodiscard]] static std::vector<std::uint32_t> held_texels(const PreparedTexels& texels);
+
+    template <class Face, class Use>
+    void visit(const common::SurfacePoint& point, Face face, Use use) const {
+        static thread_local std::vector<common::Neighbour> neighbours;  // a gather must not allocate
+        neighbours.resize(count_);
+        const auto use_nearest = [&](auto accept, auto keep) {
+            common::NearestSet nearest(neighbours, max_radius_ * max_radius_);
+            index_.search(point.position, nearest,
+                          [&](std::uint32_t i) { return face(i).looks_the_way_of(point) && accept(i); });
+            bool used = false;
+            for (const common::Neighbour& neighbour : nearest.found()) {
+                if (!keep(neighbour.index)) continue;
+                const TexelFace found = face(neighbour.index);
+                use(neighbour.index, found.area * found.normal.dot(point.geometric_normal));
+                used = true;
+            }
+            return used;
+        };
+        constexpr auto any = [](std::uint32_t) { return true; };
+        if (!pieces_) {
+            use_nearest(any, any);
+            return;
+        }
+        const std::uint32_t own = pieces_->of_triangle(point.surface.triangle);
+        const auto of_own_surface = [&](std::uint32_t i) { return pieces_->meet(own, piece_[i]); };
+        (void)(use_nearest(any, of_own_surface) || use_nearest(of_own_surface, any) || use_nearest(any, any));
+    }
+
+    [[nodiscard]] std::size_t bytes() const {
+        return centers_.capacity() * sizeof(common::Vec3) + index_.bytes() +
+               piece_.capacity() * sizeof(std::uint32_t) + (pieces_ ? pieces_->bytes() : 0);
+    }
+
+  private:
+    std::shared_ptr<const TexelPieces> pieces_;  ///< none where whichever are nearest are asked for
+    std::vector<std::uint32_t> piece_;           ///< of each texel; none likewise
+    std::vector<common::Vec3> centers_;
+    common::FlannIndex index_;
+    std::size_t count_;
+    float max_radius_;  ///< world units
+};
+
+using TexelLookup = std::variant<OwnTexelLookup, BilinearLookup, NearestTexelsLookup>;
+
+[[nodiscard]] TexelLookup make_lookup(const PreparedTexels& texels, const Gather& gather);
+
+}  // namespace shlm

@@ -1,0 +1,39 @@
+// What the clamp of the cosine takes away.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "common/estimator/irradiance_estimator.h"
+#include "shlm/sums/quantum.h"
+
+namespace shlm {
+
+/// Of all stored hits, mean of the channels, as integers for the same reason as in TexelSums.
+struct ClampedLight {
+    std::uint64_t flux = 0;  ///< Quantum::clamped_light_unit
+    std::uint64_t discarded =
+        0;  ///< part of it that the surface's irradiance lacks: F (1 - cos theta / clamp)
+
+    /// A hit's flux, in that unit, and its cosine of incidence.
+    void add(float mean_flux, float incident_cosine) {
+        flux += static_cast<std::uint64_t>(std::llrint(mean_flux));
+        if (incident_cosine < common::min_incident_cosine)
+            discarded += static_cast<std::uint64_t>(
+                std::llrint(mean_flux * (1 - incident_cosine / common::min_incident_cosine)));
+    }
+
+    [[nodiscard]] double discarded_share() const {
+        return flux > 0 ? static_cast<double>(discarded) / static_cast<double>(flux) : 0;
+    }
+
+    ClampedLight& operator+=(const ClampedLight& other) {
+        flux += other.flux;
+        discarded += other.discarded;
+        return *this;
+    }
+
+    friend bool operator==(const ClampedLight&, const ClampedLight&) = default;
+};
+
+}  // namespace shlm

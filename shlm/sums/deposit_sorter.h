@@ -1,0 +1,59 @@
+// The hits of a batch, each with its texel, dealt out by share of the texels.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "common/estimator/irradiance_estimator.h"
+#include "common/tracer/hit_batch.h"
+#include "shlm/layout/texel_layout.h"
+#include "shlm/sums/clamped_light.h"
+
+namespace shlm {
+
+/// Where a hit goes, beside what its HitBatch says of it.
+struct Deposit {
+    std::uint32_t hit;  ///< index in its batch
+    std::uint32_t texel;
+    float inverse_cosine;  ///< of incidence on the triangle, clamped by common::min_incident_cosine
+};
+
+/// For one thread: keeps the arrays that it works in, and counts what it leaves out.
+class DepositSorter {
+  public:
+    /// Texels are dealt out in this many contiguous shares, at most. One thread at a time adds to a share, so
+    /// sums need no atomics; with many more shares than threads these seldom wait for each other.
+    static constexpr std::size_t max_shares = 64;
+
+    /// `layout` must outlive the sorter.
+    DepositSorter(const TexelLayout& layout, const Quantum& quantum);
+
+    /// Replaces the deposits by those of another batch; hits that have no texel are counted and left out.
+    void sort(const common::HitBatch& hits);
+
+    /// The batch's deposits, share after share.
+    [[nodiscard]] std::span<const Deposit> deposits() const { return by_share_; }
+
+    /// Where share `index` begins in `deposits`; it ends where the next one begins.
+    [[nodiscard]] std::size_t share_begin(std::size_t index) const { return share_begin_[index]; }
+
+    [[nodiscard]] const common::RejectedHits& rejected() const { return rejected_; }
+    [[nodiscard]] const ClampedLight& clamped() const { return clamped_; }
+
+  private:
+    void find_texels(const common::HitBatch& hits);
+    void deal_out();
+    [[nodiscard]] std::size_t share_of(std::uint32_t texel) const { return texel >> share_shift_; }
+
+    const TexelLayout* layout_;
+    float clamped_light_per_flux_;
+    unsigned share_shift_ = 0;
+    std::vector<Deposit> deposits_;  ///< in the batch's order
+    std::vector<Deposit> by_share_;
+    std::array<std::uint32_t, max_shares + 1> share_begin_{};  ///< in `by_share_`
+    common::RejectedHits rejected_;
+    ClampedLight clamped_;
+};
+
+}  // namespace shlm

@@ -1,0 +1,78 @@
+// Every stability case in its short form: it passes, and each of its mutations makes it fail.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "bench/experiments/stability/verdict.h"
+#include "tests/support/statistics.h"
+
+namespace {
+
+using bench::CaseRun;
+using bench::StabilityCase;
+
+class StabilityCases : public testing::TestWithParam<const StabilityCase*> {};
+
+TEST_P(StabilityCases, AreAsPredicted) {
+    // Where every sample is slow there are too few seeds to judge by: the sanitizers see the code run.
+    const bool judged = tests::count_for(1, 0) == 1;
+    const auto curves = GetParam()->run(CaseRun(false, {}, {}, judged ? 12 : 2));
+    ASSERT_FALSE(curves.empty());
+    if (!judged) return;
+    const std::size_t cases = bench::stability_cases().size();
+    const double false_alarms = bench::false_alarms_per_point(curves, cases);
+    for (const bench::StabilityCurve& curve : curves)
+        for (const bench::StabilityPoint& point : curve.points) {
+            const bench::PointVerdict verdict = bench::judge(point, curve.expected, false_alarms);
+            EXPECT_TRUE(verdict.passed) << curve.name << " at " << point.at << ": " << verdict.mean
+                                        << ", not " << point.predicted << " +- " << verdict.band;
+        }
+    EXPECT_TRUE(bench::passes(curves, cases));
+}
+
+TEST_P(StabilityCases, CanFail) {
+    EXPECT_FALSE(GetParam()->mutations.empty());
+    if (tests::count_for(0, 1) == 1) GTEST_SKIP() << "the optimised build shows it";
+    for (const std::string& mutation : GetParam()->mutations)
+        EXPECT_FALSE(
+            bench::passes(GetParam()->run(CaseRun(false, mutation)), bench::stability_cases().size()))
+            << mutation;
+}
+
+TEST_P(StabilityCases, SayWhatTheyAre) {
+    const StabilityCase& one = *GetParam();
+    for (const std::string* text :
+         {&one.name, &one.purpose, &one.scene, &one.swept, &one.measured, &one.theory, &one.advice})
+        EXPECT_FALSE(text->empty()) << one.name;
+    EXPECT_TRUE(std::all_of(one.name.begin(), one.name.end(), [](char c) {
+        return std::islower(c) || std::isdigit(c) || c == '-';
+    })) << one.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, StabilityCases, testing::ValuesIn(bench::stability_cases()),
+                         [](const auto& given) {
+                             std::string name = given.param->name;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+TEST(StabilityVerdict, KnowsItsBands) {
+    const bench::StabilityPoint random{0, 1.0, 0.1, {0.9, 1.0, 1.1, 1.0}};
+    const bench::PointVerdict verdict = bench::judge(random, bench::Expected::equal, 0.01);
+    EXPECT_NEAR(verdict.mean, 1, 1e-12);
+    // Standard error sqrt(0.02 / 3 / 4) = 0.0408248; Student's t of 3 degrees: 5.8409 at 1 %, 3.1824 at 5 %.
+    EXPECT_NEAR(verdict.band, 0.1 + 5.8409 * 0.0408248, 1e-4);
+    EXPECT_NEAR(verdict.confidence, 3.1824 * 0.0408248, 1e-4);
+    const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+    for (const auto expected : {bench::Expected::equal, bench::Expected::at_most}) {
+        EXPECT_FALSE(bench::judge({0, 1, 9, {not_a_number}}, expected, 0.01).passed);
+        EXPECT_FALSE(bench::judge({0, 1, 9, {}}, expected, 0.01).passed) << "nothing was measured";
+        EXPECT_FALSE(bench::judge({0, 1, 0.1, {1.2}}, expected, 0.01).passed);
+        EXPECT_TRUE(bench::judge({0, 1, 0.3, {1.2}}, expected, 0.01).passed);
+    }
+    EXPECT_TRUE(bench::judge({0, 1, 0, {0.5}}, bench::Expected::at_most, 0.01).passed);
+    EXPECT_FALSE(bench::passes({}, 1)) << "a case that judges nothing";
+}
+
+}  // namespace

@@ -7,6 +7,7 @@
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/standard_streams.h"
+#include "common/tracer/photon_source.h"
 
 namespace {
 
@@ -22,6 +23,9 @@ void complain(const std::string& text) {
 int run_guarded(int argc, char** argv) {
     try {
         return bench::run_command(argc, argv, complain);
+    } catch (const common::NoLight& e) {
+        complain(std::string(e.what()) + "; add one with --sky R,G,B or --sun X,Y,Z,R,G,B");
+        return bad_input;
     } catch (const common::InputError& e) {
         complain(e.what());
         return bad_input;

@@ -1,10 +1,8 @@
 // Which methods there are, and what their names mean.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
-#include "bench/contenders/contender.h"
 #include "bench/contenders/family.h"
+#include "bench/contenders/row_facts.h"
 #include "bench/setup/command.h"
 #include "common/core/standard_streams.h"
 
@@ -19,12 +17,10 @@ struct MethodsOptions {
 };
 
 Json as_json(const Contender& contender) {
-    const ChartStyle style = contender->style();
-    return {{"method", contender.name},
-            {"fields", contender->fields()},
-            {"store", contender->store_key()},
-            {"colour", style.colour},
-            {"marker", style.marker}};
+    Json row;
+    add_facts(row, contender);
+    row["store"] = contender->store_key();
+    return row;
 }
 
 /// Those named, or one of each kind there is.

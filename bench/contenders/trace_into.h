@@ -9,11 +9,6 @@
 
 namespace bench {
 
-struct StoresTrace {
-    common::TraceReport report;          ///< its sink_seconds are all stores' together
-    std::vector<double> insert_seconds;  ///< of each store, which add up to them; wall time
-};
-
 /// What is traced.
 struct TracedRun {
     const common::RayScene& rays;
@@ -24,10 +19,7 @@ struct TracedRun {
     common::TraceReport so_far{};  ///< gone on from
 };
 
-/// Each thread gives its hits to stores that take any order while they are in its cache; the others get
-/// waves. Stores of both kinds are filled by two traces of the same photons, as each is filled alone; the
-/// report is of the first then. The stores get hits in turns, a block or a wave each.
-[[nodiscard]] StoresTrace trace_into(std::span<Store* const> stores, const TracedRun& run);
+/// Where the store takes any order, each thread gives it its hits while they are in its cache.
 [[nodiscard]] common::TraceReport trace_into(Store& store, const TracedRun& run);
 
 /// The same without a store.
@@ -43,7 +35,9 @@ struct FilledStore {
     FilledStore(ContenderGroup group, PreparedScene& scene, const common::PhotonSource& source);
 };
 
-/// Adds to each store's insert_seconds.
+/// Adds to each store's insert_seconds. Several stores get waves in turn, in any order or not: block by block
+/// ten light maps drive each other's sums out of the cache and take 1.65 times as long, while one takes as
+/// long by waves as by blocks.
 [[nodiscard]] common::TraceReport trace_into(std::span<FilledStore> stores, const TracedRun& run);
 
 }  // namespace bench

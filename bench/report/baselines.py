@@ -12,26 +12,28 @@ from typing import Callable
 from comparison import INCREMENTAL, MAP_COLUMNS
 
 
-def engine_of(method):
-    """The engine in a photon map's name; "" for other methods."""
-    parts = method.split("/")
-    return parts[1] if parts[0] == "photonmap" and len(parts) > 1 else ""
+def engine_of(row):
+    """The engine of a photon map's row; "" for other methods."""
+    return row["fields"].get("engine", "")
 
 
-def is_exact(method):
-    return engine_of(method) not in ("", "flann-incremental")
+def is_exact(comparison, method):
+    return comparison.engine(method) not in ("", "flann-incremental")
 
 
-def answers_as_the_reference(method):
-    return method.endswith("/k50/disc")
+def answers_as_the_reference(comparison, method):
+    fields, _ = comparison.facts(method)
+    return (fields.get("nearest"), fields.get("kernel")) == (50, "disc")
 
 
 def one_per_engine(comparison):
     """The photon maps that stand for their engines: k50/disc where it was measured, else the first of the table."""
     chosen = {}
     for method in comparison.methods:
-        if engine := engine_of(method):
-            if engine not in chosen or (answers_as_the_reference(method) and not answers_as_the_reference(chosen[engine])):
+        if engine := comparison.engine(method):
+            if engine not in chosen or (
+                answers_as_the_reference(comparison, method) and not answers_as_the_reference(comparison, chosen[engine])
+            ):
                 chosen[engine] = method
     return list(chosen.values())
 
@@ -89,7 +91,7 @@ def incremental(comparison):
 
 def strongest(comparison, figure, counts=is_exact):
     """The exact photon map whose `figure` is least at that size, among the methods that `counts` admits."""
-    methods = [method for method in comparison.methods if is_exact(method) and counts(method)]
+    methods = [method for method in comparison.methods if is_exact(comparison, method) and counts(comparison, method)]
 
     def row(scene, hits):
         rows = [row for method in methods if (row := comparison.row(scene, method, hits))]

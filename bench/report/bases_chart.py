@@ -9,34 +9,29 @@ from pathlib import Path
 
 from matplotlib.ticker import FuncFormatter
 from study_front import front_of
-from study_style import LIGHT_MAP_COLOURS, SMALL, Sheet, plain_axes
+from study_style import SMALL, Sheet, colour_of_weight, plain_axes
 from study_text import machine_text
 
 NO_DIFFERENCE = 0.02  # between the errors of two bases
 LEAST_PERCENT = 1e-3  # the logarithmic axis ends somewhere
 CURVES = ("L0/normalised", "L1/radiance", "H4/radiance", "L2/radiance", "L4/radiance")
-HARMONICS = ("L0", "L1", "L2", "L4")
-FITTED_COLOURS = {"H4": "#8a5a00", "H6": "#c98a1b", "YH4": "#7a2f8f", "YL2": "#b06cc4", "AD": "#3c7d5a"}
 FLOATS, HALVES = "o", "s"
 NAMED_BELOW, BELOW = ("AD", "YL2"), -9  # others have points right above them; pt
 
 
-def colour_of(basis):
-    name, weight = basis.split("/")[:2]
-    if name in FITTED_COLOURS:
-        return FITTED_COLOURS[name]
-    return LIGHT_MAP_COLOURS[weight][int(name[1:])]
+def colour_of(row):
+    return colour_of_weight(row["style"]["colour"], row["fields"]["weight"])
 
 
-def label_of(basis):
+def label_of(row):
     """What a reader calls it: the weight is said where it is not the usual one."""
-    name, weight = basis.split("/")[:2]
+    name, weight = row["fields"]["basis"], row["fields"]["weight"]
     usual = weight == ("normalised" if name == "L0" else "radiance")
     return name if usual else f"{name} {weight}"
 
 
 def is_half(row):
-    return row["basis"].endswith("/half")
+    return row["fields"]["half"]
 
 
 def draw_light(axes, rows, light):
@@ -58,20 +53,20 @@ def draw_light(axes, rows, light):
             row["bytes_per_texel"],
             mean,
             HALVES if half else FLOATS,
-            color=colour_of(row["basis"]),
-            markerfacecolor=colour_of(row["basis"]) if half else "white",
+            color=colour_of(row),
+            markerfacecolor=colour_of(row) if half else "white",
             markersize=5,
             linestyle="none",
             zorder=3,
         )
-        if half or "/radiance" not in row["basis"] and not row["basis"].startswith("L0"):
+        if half or row["fields"]["weight"] != "radiance" and row["fields"]["basis"] != "L0":
             axes.annotate(
-                label_of(row["basis"]),
+                label_of(row),
                 (row["bytes_per_texel"], mean),
-                (5, BELOW if label_of(row["basis"]) in NAMED_BELOW else 4),
+                (5, BELOW if label_of(row) in NAMED_BELOW else 4),
                 textcoords="offset points",
                 fontsize=SMALL,
-                color=colour_of(row["basis"]),
+                color=colour_of(row),
             )
     axes.set_xscale("log", base=2)
     axes.set_yscale("log")
@@ -117,13 +112,14 @@ def tilt_chart(document):
     axes.text(light, 0.03, " light", fontsize=SMALL + 0.5, color="#666666")
     axes.plot(tilt["degrees"], tilt["truth"], color="black", linewidth=2.2, label="truth")
     for basis in CURVES:
+        row = next(row for row in document["rows"] if row["basis"] == basis)
         axes.plot(
             tilt["degrees"],
             tilt["series"][basis],
-            color=colour_of(basis),
+            color=colour_of(row),
             linewidth=1.4,
             linestyle="--" if basis == CURVES[0] else "-",
-            label=label_of(basis),
+            label=label_of(row),
         )
     plain_axes(axes, "", "degrees between shading and geometric normal, positive towards the light", "irradiance")
     axes.set_xlim(tilt["degrees"][0], tilt["degrees"][-1])

@@ -58,4 +58,4 @@ def billion_hits(comparison):
     if not light:
         return Finding("billion-hits", SAYS, "not measured yet", text)
     return Finding("billion-hits", SAYS, "confirmed", text, verdict_against(comparison, [INCREMENTAL]),
-                   verdict_against(comparison, [method for method in photon_maps if is_exact(method)]))
+                   verdict_against(comparison, [method for method in photon_maps if is_exact(comparison, method)]))

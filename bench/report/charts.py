@@ -7,25 +7,22 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from baselines import engine_of, one_per_engine
+from baselines import one_per_engine
 from comparison import LIGHT_MAP, Comparison, map_seconds
 from memory_wall import bytes_text, growth, peaks, wall_bytes
 
-ENGINE_STYLE = {
-    "flann": {"color": "#0b6fb8", "marker": "o"},
-    "flann-incremental": {"color": "#7a5ea8", "marker": "s"},
-    "nanoflann": {"color": "#2f9e6e", "marker": "v"},
-    "compact": {"color": "#202020", "marker": "D"},
-    "grid": {"color": "#b08d12", "marker": "P"},
-}
-LIGHT_MAP_STYLE = {"color": "#d1542a", "marker": "^"}
 BILLION = 1e9
 
 
+def style_of(comparison, method):
+    _, style = comparison.facts(method)
+    return {"color": style["colour"], "marker": style["marker"]}
+
+
 def styles(comparison):
-    """The methods that are drawn, in the order of the table: the light map, and one photon map for each engine."""
-    drawn = {method: ENGINE_STYLE.get(engine_of(method), {"color": "#888888", "marker": "x"}) for method in one_per_engine(comparison)}
-    return drawn | {LIGHT_MAP: LIGHT_MAP_STYLE}
+    """The methods that are drawn, in the order of the table: one photon map for each engine, and the light map."""
+    drawn = [*one_per_engine(comparison), *(m for m in comparison.methods if m == LIGHT_MAP)]
+    return {method: style_of(comparison, method) for method in drawn}
 
 
 def value_and_range(row, column):
@@ -105,7 +102,7 @@ def draw_bytes(comparison):
             if rows := comparison.series(scene, method):
                 draw_line(axes, rows, "bytes", style, method)
         if rows := comparison.series(scene, LIGHT_MAP):
-            draw_line(axes, rows, "insert_bytes", LIGHT_MAP_STYLE, f"{LIGHT_MAP}, while tracing", "--")
+            draw_line(axes, rows, "insert_bytes", style_of(comparison, LIGHT_MAP), f"{LIGHT_MAP}, while tracing", "--")
 
     return draw
 

@@ -96,10 +96,10 @@ def combined(first, second):
 
 def ratios_text(pairs, figure, form, place):
     """The baseline's figure over the light map's, by scene; with the engine where it is not always the same one."""
-    engines = {engine_of(theirs["method"]) for *_, theirs in pairs}
+    engines = {engine_of(theirs) for *_, theirs in pairs}
     texts = {}
     for scene, mine, theirs in pairs:
-        engine = f" ({engine_of(theirs['method'])})" if len(engines) > 1 else ""
+        engine = f" ({engine_of(theirs)})" if len(engines) > 1 else ""
         texts.setdefault(scene, []).append(form.format(figure.value(theirs) / figure.value(mine)) + f" x at {place(mine)}{engine}")
     of = f"{engines.pop()}: " if len(engines) == 1 else ""
     return of + "; ".join(f"{scene} " + ", ".join(t) for scene, t in texts.items()) if pairs else NOT_MEASURED

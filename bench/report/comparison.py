@@ -37,6 +37,15 @@ class Comparison:
         other.light_map = light_map
         return other
 
+    def facts(self, method):
+        """The "fields" and "style" that the method's rows have."""
+        row = next(row for row in self.rows if row["method"] == method)
+        return row["fields"], row["style"]
+
+    def engine(self, method):
+        """Of a photon map; "" for other methods."""
+        return self.facts(method)[0].get("engine", "")
+
     @property
     def scenes(self):
         return list(dict.fromkeys(row["scene"] for row in self.rows))

@@ -15,19 +15,6 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 from study_style import SMALL, Sheet
 from study_text import machine_text
 
-KINDS = {  # from few numbers to many
-    "dark": "#202020",
-    "flat": "#9ecae1",
-    "L0": "#9ecae1",
-    "AD": "#3c7d5a",
-    "YH4": "#7a2f8f",
-    "H4": "#e0a020",
-    "L1": "#ef7d4f",
-    "H6": "#c98a1b",
-    "YL2": "#b06cc4",
-    "L2": "#cf2f2a",
-    "L4": "#6d0f24",
-}
 NOTHING = "#ffffff"
 
 
@@ -35,15 +22,15 @@ def grid_of(document, key):
     return np.array(document[key]).reshape(document["height"], document["width"])
 
 
-def draw_kinds(axes, kinds):
+def draw_kinds(axes, kinds, colours):
     image = np.empty(kinds.shape + (3,))
     for kind in np.unique(kinds):
-        image[kinds == kind] = to_rgb(KINDS.get(kind, NOTHING))
+        image[kinds == kind] = to_rgb(colours.get(kind, NOTHING))
     axes.imshow(image, interpolation="nearest")
-    shown = [kind for kind in KINDS if (kinds == kind).any()]
+    shown = [kind for kind in colours if (kinds == kind).any()]
     share = {kind: 100 * (kinds == kind).sum() / (kinds != "").sum() for kind in shown}
     axes.legend(
-        handles=[Patch(color=KINDS[kind], label=f"{kind} {share[kind]:.0f} %") for kind in shown],
+        handles=[Patch(color=colours[kind], label=f"{kind} {share[kind]:.0f} %") for kind in shown],
         loc="upper center",
         bbox_to_anchor=(0.5, -0.02),
         ncol=len(shown),
@@ -84,7 +71,7 @@ def widths_range(seen):
 def chart(document):
     choice = document["choice"]
     target = document["target"]
-    wanted = f"a FLIP of {target:g}" if document["metric"] == "FLIP" else f"{100 * target:g} %"
+    wanted = f"{100 * target:g} %"
     reached = "" if document["reached"] else " (which it does not reach)"
     title = f"{document['scene']}, target {wanted}{reached}: {choice['method']}"
     words = (
@@ -93,7 +80,7 @@ def chart(document):
     )
     sheet = Sheet(1, 2, (5.2, 3.5), title, words, legend_lines=0, left=0.1)
     kinds, widths = sheet.panels[0]
-    draw_kinds(kinds, grid_of(document, "kind"))
+    draw_kinds(kinds, grid_of(document, "kind"), document["colours"])
     draw_widths(sheet.figure, widths, grid_of(document, "block_width"))
     for axes in (kinds, widths):
         axes.set_xticks([])

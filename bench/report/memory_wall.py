@@ -35,7 +35,7 @@ def growth(comparison, scene, method):
     if not rows:
         return None
     last = rows[-1]
-    if method.startswith("shlm"):
+    if comparison.facts(method)[0]["family"] == "shlm":
         return Growth(rows, max(row["peak_growth_bytes"] for row in rows), 0.0)
     if last["hits"] < ENOUGH_HITS:
         return None

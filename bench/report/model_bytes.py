@@ -19,34 +19,29 @@ from study_style import SMALL, Sheet, plain_axes
 from study_text import machine_text
 
 ADAPTIVE, PHOTON_MAP = "adaptive", "photon map"
-COLOURS = {
-    ADAPTIVE: "#111111",
-    "L0": "#b59f10",
-    "AD": "#3c7d5a",
-    "H4": "#8a5a00",
-    "YL2": "#b06cc4",
-    "L2": "#cf2f2a",
-    "L4": "#6d0f24",
-    PHOTON_MAP: "#2f6fb0",
-}
 MARKERS = {ADAPTIVE: "*", PHOTON_MAP: "s"}
+PHOTON_MAP_COLOUR = "#2f6fb0"  # engines keep the same photons
 
 
 def kind_of(method):
     """Adaptive, photon map, or the basis of a uniform light map."""
-    family, basis = method.split("/")[:2]
-    if family != "shlm":
-        return PHOTON_MAP
-    return ADAPTIVE if basis[0] == "a" and basis[1:2].isdigit() else basis
+    return PHOTON_MAP if method.engine else method.basis
+
+
+def colours_of(methods):
+    """kind -> colour, adaptive maps first and photon maps last."""
+    bases = sorted((m for m in methods if not m.engine), key=lambda m: (m.basis != ADAPTIVE, m.order, m.basis))
+    colours = {m.basis: m.colour for m in bases}
+    return colours | ({PHOTON_MAP: PHOTON_MAP_COLOUR} if any(m.engine for m in methods) else {})
 
 
 def at_size(curves, hits):
     """method -> (bytes, error in %) at one number of hits asked for."""
     found = {}
-    for method, curve in curves.items():
+    for curve in curves.values():
         for point in curve.points:
             if point.run.hits_asked == hits:
-                found[method] = (point.bytes, 100 * math.sqrt(max(point.split.error, 0)))
+                found[curve.method] = (point.bytes, 100 * math.sqrt(max(point.split.error, 0)))
     return found
 
 
@@ -72,7 +67,7 @@ def uniform_of(found):
 
 
 def draw(axes, found, title):
-    for kind, colour in COLOURS.items():
+    for kind, colour in colours_of(found).items():
         points = sorted(point for method, point in found.items() if kind_of(method) == kind)
         if not points:
             continue
@@ -103,8 +98,8 @@ def ratio(numerator, denominator):
 
 def short_name(method):
     """a5 by coordinates, a5/face by faces; with its number of texels where that is not the usual one."""
-    _, percent, *rest = method.split("/")
-    return "/".join([percent] + [part for part in rest if part == "face" or part[0] == "t"])
+    parts = [f"a{method.number:g}", *(["face"] if method.placement == "face" else []), *([f"t{method.texels}"] if method.texels else [])]
+    return "/".join(parts)
 
 
 def table(scene, hits, found):
@@ -161,7 +156,7 @@ def main():
         text += table(scene, hits, found)
     for axes in panels[len(scenes) :]:
         axes.set_visible(False)
-    sheet.legend(len(COLOURS))
+    sheet.legend(len(colours_of(found)))
     sheet.save(out / "model-bytes.png")
     (out / "model-bytes.md").write_text(
         text + "\nAdaptive maps that no smaller one beats, by lightmap coordinates and by faces. The uniform map and the photon map are the smallest of the study with at most the same error, "

@@ -5,7 +5,6 @@ import json
 import sys
 from pathlib import Path
 
-from baselines import engine_of
 from claims import findings
 from comparison import LIGHT_MAP, LIGHT_MAP_FLUX, PAPER_LIGHT_MAP, PHOTON_MAP, Comparison, count_text
 
@@ -72,7 +71,7 @@ def images(comparison):
         shown = set()
         for method in comparison.methods:
             name = f"images/{scene}-{method.replace('/', '-')}.png"
-            picture = method.replace(f"/{engine_of(method)}/", "/")
+            picture = method.replace(f"/{comparison.engine(method)}/", "/")
             measured = comparison.series(scene, method)
             if not measured or picture in shown or not (comparison.folder / name).exists():
                 continue

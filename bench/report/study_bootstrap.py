@@ -11,6 +11,7 @@ from functools import lru_cache
 from statistics import NormalDist
 
 import numpy as np
+from scipy.special import stdtrit
 
 RESAMPLES = 2000
 CONFIDENCE = 0.95
@@ -43,11 +44,8 @@ def counts(seeds):
 
 @lru_cache(maxsize=None)
 def student_quantile(probability, degrees_of_freedom):
-    """Of Student's t, for probabilities above 1/2: t = sqrt(n) tan(angle) has density ~ cos(angle)^(n-1)."""
-    angle = np.linspace(0, math.pi / 2, 20001)
-    density = np.cos(angle) ** (degrees_of_freedom - 1)
-    share = np.concatenate([[0], np.cumsum(0.5 * (density[1:] + density[:-1]))])
-    return math.sqrt(degrees_of_freedom) * math.tan(np.interp(2 * probability - 1, share / share[-1], angle))
+    """Of Student's t."""
+    return float(stdtrit(degrees_of_freedom, probability))
 
 
 def count_variance(seed_count):

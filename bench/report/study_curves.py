@@ -6,7 +6,7 @@ import numpy as np
 
 from study_data import Run
 from study_errors import ErrorSplit, split_of
-from study_methods import Method, parse
+from study_methods import Method
 from study_tilt import split_by_tilt
 
 
@@ -67,5 +67,5 @@ def curves_of(study):
         for run, answers in study.runs(name):
             points.setdefault(run.method, []).append(measure(scene, run, answers))
         if points:
-            found[name] = {m: Curve(parse(m), tuple(points[m])) for m in study.methods if m in points}
+            found[name] = {m: Curve(study.method(m), tuple(points[m])) for m in study.methods if m in points}
     return found

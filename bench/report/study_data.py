@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+from study_methods import method_of
+
 PHASES = ("trace", "insert", "build", "gather")
 EPSILON_SHARE = 0.01  # eps = this x (mean of R)^2
 
@@ -122,6 +124,10 @@ class Study:
     @property
     def methods(self):
         return list(dict.fromkeys(row["method"] for row in self.rows))
+
+    def method(self, name):
+        """What its rows say that it is."""
+        return method_of(next(row for row in self.rows if row["method"] == name))
 
     def entry(self, scene):
         """What study.json says of the scene."""

@@ -10,7 +10,6 @@ from study_methods import (
     REFERENCE_LIGHT_MAP,
     REFERENCE_PHOTON_MAP,
     TRADITIONAL_LIGHT_MAP,
-    parse,
 )
 
 LARGEST_GROUP = 8
@@ -57,8 +56,12 @@ def best_known(methods, curves_by_scene):
 def light_map_variants(methods):
     """Of the default size: other orders first, then other gathers, then other weights."""
 
+    plain = next((m for m in methods if m.name == REFERENCE_LIGHT_MAP), None)
+
     def distance(m):
-        plain = parse(REFERENCE_LIGHT_MAP)
+        """From the reference, where the study has it."""
+        if plain is None:
+            return (0, False, False, m.order, m.name)
         return (
             (m.weight != plain.weight) + (m.gather != plain.gather) + (m.order != plain.order),
             m.weight != plain.weight,
@@ -80,9 +83,9 @@ def photon_map_variants(methods):
 
     def by_use(kind):
         discs = sorted((m for m in kind if m.kernel == "disc"), key=lambda m: m.number)
-        reference = parse(REFERENCE_PHOTON_MAP)
-        same_number = [m for m in kind if m.number == reference.number]
-        first = [m for m in kind if m == reference] + discs[:1] + discs[-1:] + same_number[:2] + discs + kind
+        reference = [m for m in kind if m.name == REFERENCE_PHOTON_MAP]
+        same_number = [m for m in kind if reference and m.number == reference[0].number]
+        first = reference + discs[:1] + discs[-1:] + same_number[:2] + discs + kind
         return list(dict.fromkeys(first))
 
     quota = {FIXED_K: 4, GROWING_K: 2, FIXED_RADIUS: 2}
@@ -100,11 +103,13 @@ def photon_map_variants(methods):
 
 def texel_variants(methods):
     """The reference light map at every number of texels: the default first."""
-    return [
-        m.name
-        for m in sorted(of_family(methods, LIGHT_MAP), key=lambda m: m.texels)
-        if m.name == REFERENCE_LIGHT_MAP or m.name.startswith(REFERENCE_LIGHT_MAP + "/t")
-    ]
+    plain = next((m for m in methods if m.name == REFERENCE_LIGHT_MAP), None)
+
+    def is_variant(m):
+        same = ("family", "basis", "weight", "gather", "placement", "least_hits")
+        return plain is not None and all(getattr(m, key) == getattr(plain, key) for key in same)
+
+    return [m.name for m in sorted(methods, key=lambda m: m.texels) if is_variant(m)]
 
 
 GROUP_TITLES = {
@@ -123,9 +128,8 @@ GROUP_TEXT = {
 }
 
 
-def groups(names, curves_by_scene):
+def groups(methods, curves_by_scene):
     """Group -> names; but for the first, groups of fewer than two are left out."""
-    methods = [parse(name) for name in names]
     found = {
         "methods": best_known(methods, curves_by_scene),
         "shlm": light_map_variants(methods),

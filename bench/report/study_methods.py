@@ -1,4 +1,4 @@
-"""What the name of a method in a study says, and what theory says of it.
+"""What a method of a study is, as its rows say it, and what theory says of it.
 
 Theory, for N hits. A light map's texel and a disc of fixed radius average a number of hits that grows as N
 over an area that stays: variance ~ 1/N, bias fixed (the floor). The k nearest photons with fixed k: variance
@@ -6,7 +6,6 @@ fixed, bias falls with the disc. k = C N^(2/3): variance ~ 1/k, area ~ k/N, squa
 light, both ~ N^(-2/3).
 """
 
-import re
 from dataclasses import dataclass
 
 LIGHT_MAP = "shlm"
@@ -23,12 +22,11 @@ THEORY_TEXT = {
     FIXED_K: "0",
 }
 
-SUMMED_ORDER = {"L0": 0, "L1": 1, "L2": 2, "L4": 4, "H4": 2, "H6": 2, "YH4": 2, "YL2": 2, "AD": 1}
-DEFAULT_LEAST_HITS = 100  # shlm/settings.h
-
 REFERENCE_LIGHT_MAP = "shlm/L2/radiance/surface4"  # what "shlm" stands for
 TRADITIONAL_LIGHT_MAP = "shlm/L0/normalised/surface4"
 REFERENCE_PHOTON_MAP = "photonmap/flann/k50/disc"
+
+NO_STYLE = {"colour": "#666666", "marker": "x"}
 
 
 @dataclass(frozen=True)
@@ -41,8 +39,12 @@ class Method:
     placement: str = ""  # uv or face; empty: the study's default
     texels: int = 0  # 0: the study's default
     least_hits: int = 0  # texels in blocks of fewer hits share their light
-    number: float = 0  # k, C or the radius as a share of the scene's diagonal
+    number: float = 0  # k, C, the radius as a share of the scene's diagonal, or the error in % that an adaptive map wants
     kernel: str = ""
+    basis: str = ""
+    engine: str = ""
+    colour: str = NO_STYLE["colour"]
+    marker: str = NO_STYLE["marker"]
 
     @property
     def label(self):
@@ -54,32 +56,32 @@ class Method:
         return self.family in (LIGHT_MAP, FIXED_RADIUS)
 
 
-def parse_light_map(name):
-    parts = re.fullmatch(r"shlm/(\w+)/(\w+)/(\w+)(?:/(uv|face))?(?:/t(\d+))?(?:/h(\d+))?(?:/half)?", name)
-    if not parts or parts[1] not in SUMMED_ORDER:
-        return None
-    basis, weight, gather, placement, texels, least_hits = parts.groups()
-    return Method(
-        name,
-        LIGHT_MAP,
-        order=SUMMED_ORDER[basis],
-        weight=weight,
-        gather=gather,
-        placement=placement or "",
-        texels=int(texels or 0),
-        least_hits=DEFAULT_LEAST_HITS if least_hits is None else int(least_hits),
-    )
+PHOTON_SELECTIONS = {"nearest": FIXED_K, "growing_factor": GROWING_K, "diagonal_fraction": FIXED_RADIUS}
 
 
-def parse_photon_map(name):
-    parts = re.fullmatch(r"photonmap/\w+/([kr])([0-9.eE+-]+?)(n23)?/(\w+)", name)
-    if not parts:
-        return None
-    letter, number, grows, kernel = parts.groups()
-    family = FIXED_RADIUS if letter == "r" else GROWING_K if grows else FIXED_K
-    return Method(name, family, number=float(number), kernel=kernel)
-
-
-def parse(name):
-    """A name of another form is a method like any other, of which theory says nothing."""
-    return parse_light_map(name) or parse_photon_map(name) or Method(name, OTHER)
+def method_of(row):
+    """Of a row of results. What has no fields, or is an adaptive map, is a method like any other, of which theory says nothing."""
+    fields = row.get("fields", {})
+    style = row.get("style", NO_STYLE)
+    drawn = {"colour": style["colour"], "marker": style["marker"]}
+    if fields.get("family") == "shlm":
+        adaptive = "wanted_error_percent" in fields
+        return Method(
+            row["method"],
+            OTHER if adaptive else LIGHT_MAP,
+            order=fields["summed_order"],
+            weight=fields["weight"],
+            gather=fields["gather"],
+            placement=fields.get("placement", ""),
+            texels=fields.get("texels", 0),
+            least_hits=fields.get("least_hits", 0),
+            number=fields.get("wanted_error_percent", 0),
+            basis=fields["basis"],
+            **drawn,
+        )
+    if fields.get("family") == "photonmap":
+        key = next(k for k in PHOTON_SELECTIONS if k in fields)
+        return Method(
+            row["method"], PHOTON_SELECTIONS[key], number=float(fields[key]), kernel=fields["kernel"], engine=fields["engine"], **drawn
+        )
+    return Method(row["method"], OTHER)

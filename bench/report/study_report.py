@@ -12,7 +12,6 @@ from study_data import Study, StudyError
 from study_findings import findings_of
 from study_groups import GROUP_TITLES, groups
 from study_images import picture_rows
-from study_methods import parse
 from study_sections import markdown
 from study_split_charts import bias_and_variance, error_by_tilt, time_split
 from study_style import Styles
@@ -29,8 +28,9 @@ class Report:
         self.curves = curves_of(self.study)
         self.findings = {scene: findings_of(curves) for scene, curves in self.curves.items()}
         names = [m for m in self.study.methods if any(m in curves for curves in self.curves.values())]
-        self.groups = groups(names, self.curves)
-        self.styles = Styles([parse(name) for name in names])
+        methods = [self.study.method(name) for name in names]
+        self.groups = groups(methods, self.curves)
+        self.styles = Styles(methods)
         self.words = caption(self.study.context, seed_counts_text(self.curves))
 
     @property

@@ -119,7 +119,8 @@ def draw_phases(axes, points, names):
 
 def time_split(curves_by_scene, names, title, words):
     """A row per scene; a column for each of two sizes."""
-    names = sorted(set(names), key=lambda n: (n.startswith("photonmap"), names.index(n)))
+    kept = {name: curve.method.engine != "" for curves in curves_by_scene.values() for name, curve in curves.items()}
+    names = sorted(set(names), key=lambda n: (kept.get(n, False), names.index(n)))
     caption = (
         "Medians over the seeds of each phase, wall time; all methods of one seed are fed from one trace. "
         + words

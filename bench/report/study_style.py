@@ -7,6 +7,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.colors import to_rgb
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 from PIL import Image
 
@@ -25,11 +26,7 @@ MAPS = {
     GROWING_K: ("Greens", 0.55, 0.9),
     FIXED_RADIUS: ("Purples", 0.55, 0.9),
 }
-LIGHT_MAP_COLOURS = {
-    "radiance": {0: "#b59f10", 1: "#ef7d4f", 2: "#cf2f2a", 4: "#6d0f24"},
-    "normalised": {0: "#f0a500", 1: "#b9814a", 2: "#8a5a2b", 4: "#4d2f12"},
-    "flux": {0: "#f3a6cf", 1: "#ee7fbb", 2: "#d6338a", 4: "#8d1a58"},
-}
+WEIGHT_BLENDS = {"radiance": ("#000000", 0.0), "normalised": ("#000000", 0.4), "flux": ("#ffffff", 0.5)}  # towards which, how far
 GATHER_DASHES = {"own": (0, (1, 1.2)), "bilinear": (0, (4, 1.5)), "surface4": "-", "knn4": (0, (6, 1, 1, 1))}
 OTHER_GATHER = (0, (6, 1.5, 1, 1.5))
 KERNEL_DASHES = {"cone": (0, (4, 1.5)), "epanechnikov": (0, (1, 1.2))}
@@ -37,6 +34,12 @@ GATHER_MARKERS = {"surface4": "^", "knn4": "<", "own": "v", "bilinear": "D"}
 OTHER_GATHER_MARKER = "*"
 PLACEMENT_FILLS = {"": "full", "uv": "left", "face": "right"}
 FAMILY_MARKERS = {FIXED_K: "o", GROWING_K: "s", FIXED_RADIUS: "p"}
+
+
+def colour_of_weight(colour, weight):
+    """The basis's own where the weight is the usual one."""
+    towards, share = WEIGHT_BLENDS[weight]
+    return tuple((1 - share) * np.array(to_rgb(colour)) + share * np.array(to_rgb(towards)))
 
 
 class Styles:
@@ -55,7 +58,7 @@ class Styles:
     def of(self, method):
         """Keyword arguments of plot."""
         if method.family == LIGHT_MAP:
-            colour = LIGHT_MAP_COLOURS.get(method.weight, {}).get(method.order, "#a0522d")
+            colour = colour_of_weight(method.colour, method.weight)
             if method.texels:
                 share = (self._texels.index(method.texels) + 1) / (len(self._texels) + 1)
                 colour = matplotlib.colormaps["copper"](0.25 + 0.7 * share)
@@ -72,7 +75,7 @@ class Styles:
                 "marker": FAMILY_MARKERS[method.family],
                 "linestyle": KERNEL_DASHES.get(method.kernel, "-"),
             }
-        return {"color": "#666666", "marker": "x", "linestyle": "-"}
+        return {"color": method.colour, "marker": method.marker, "linestyle": "-"}
 
 
 class Sheet:

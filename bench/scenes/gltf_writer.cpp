@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include <fstream>
 #include <map>
+#include <span>
+#include <sstream>
 
 #include "common/core/input_error.h"
+#include "common/core/output_file.h"
 
 namespace scenes {
 namespace {
@@ -255,18 +257,10 @@ tinygltf::Model make_model(const SceneDescription& scene) {
 
 void write_glb(const SceneDescription& scene, const std::filesystem::path& file) {
     const tinygltf::Model model = make_model(scene);
-    std::filesystem::path unfinished = file;
-    unfinished += ".part";
-    std::ofstream stream(unfinished, std::ios::binary);
-    const bool written = stream && tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, false, true);
-    stream.close();
-    std::error_code error;
-    if (written && stream) std::filesystem::rename(unfinished, file, error);
-    if (!written || !stream || error) {
-        std::error_code ignored;
-        std::filesystem::remove(unfinished, ignored);
-        throw common::InputError(fmt::format("{}: cannot write", file.string()));
-    }
+    std::ostringstream stream;
+    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, false, true))
+        throw common::InputError(fmt::format("{}: cannot be made into glTF", file.string()));
+    common::write_whole_file(file, std::as_bytes(std::span(stream.view())));
 }
 
 }  // namespace scenes

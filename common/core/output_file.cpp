@@ -5,8 +5,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
-#include <fstream>
+#include <cstring>
 
 #include "common/core/input_error.h"
 
@@ -21,6 +22,17 @@ int trouble_with_making(const fs::path& file) {
     if (descriptor < 0) return errno == EEXIST ? 0 : errno;  // left by a process that had this one's number
     close(descriptor);
     unlink(file.c_str());
+    return 0;
+}
+
+/// 0, or what errno says.
+int write_all(int descriptor, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return written == 0 ? EIO : errno;
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
     return 0;
 }
 
@@ -68,16 +80,18 @@ void refuse_input_as_output(const std::string& option, const fs::path& output,
 
 void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
     const fs::path temporary = temporary_beside(file);
-    std::ofstream out(temporary, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    std::error_code error;
-    if (out) fs::rename(temporary, file, error);
-    if (!out || error) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-        throw InputError(fmt::format("{}: cannot be written", file.string()));
-    }
+    const auto fail = [&](int error) {
+        unlink(temporary.c_str());
+        throw InputError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(error)));
+    };
+    const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) fail(errno);
+    int error = write_all(descriptor, bytes);
+    // What did not reach the disk is not whole: a full one may say so only now.
+    if (error == 0 && fsync(descriptor) != 0) error = errno;
+    if (close(descriptor) != 0 && error == 0) error = errno;
+    if (error == 0 && std::rename(temporary.c_str(), file.c_str()) != 0) error = errno;
+    if (error != 0) fail(error);
 }
 
 }  // namespace common

@@ -24,7 +24,8 @@ void check_output_file(const std::string& option, const std::filesystem::path& f
 void refuse_input_as_output(const std::string& option, const std::filesystem::path& output,
                             std::span<const std::filesystem::path> inputs);
 
-/// Writes under a temporary name and moves it to `file`: there is never half a file. Throws InputError.
+/// Writes under a temporary name, down to the disk, and moves it to `file`: there is never half a file, and
+/// nothing is left of one that failed. Throws InputError.
 void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
 }  // namespace common

@@ -33,7 +33,7 @@ std::uint64_t count_in(const fs::path& file, const ReferenceImage& image, const 
 
 void require(const fs::path& file, const char* what, const std::string& there, const std::string& wanted) {
     if (there != wanted)
-        throw InputError(fmt::format("--out: {} is a reference with another {}: {} there, {} asked for",
+        throw InputError(fmt::format("{} is a reference with another {}: {} there, {} asked for",
                                      file.string(), what, there, wanted));
 }
 
@@ -64,7 +64,7 @@ ImageNotes continuation_notes(const ReferenceIdentity& identity, const Reference
 std::optional<ReferenceSums> sums_to_go_on_from(const fs::path& file, const ReferenceIdentity& identity) {
     std::error_code error;
     const bool exists = fs::exists(file, error);
-    if (error) throw InputError(fmt::format("--out: {}: {}", file.string(), error.message()));
+    if (error) throw InputError(fmt::format("{}: {}", file.string(), error.message()));
     if (!exists) return std::nullopt;
     const ReferenceImage image = read_reference(file);
     require_same(file, image, identity);

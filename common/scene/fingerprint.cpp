@@ -5,6 +5,8 @@
 #include <span>
 #include <type_traits>
 
+#include "common/core/fnv.h"
+
 namespace common {
 namespace {
 
@@ -28,10 +30,10 @@ class Hash {
   private:
     void add_bytes(const void* bytes, std::size_t count) {
         for (const std::uint8_t byte : std::span(static_cast<const std::uint8_t*>(bytes), count))
-            value_ = (value_ ^ byte) * 0x100000001b3ULL;
+            value_ = fnv_step(value_, byte);
     }
 
-    std::uint64_t value_ = 0xcbf29ce484222325ULL;
+    std::uint64_t value_ = fnv_start;
 };
 
 void add_geometry(Hash& hash, const Scene& scene) {

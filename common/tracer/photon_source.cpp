@@ -230,8 +230,7 @@ PhotonSource::PhotonSource(const Scene& scene) : scene_(&scene) {
     if (scene.sky) add(SkyEmitter{*scene.sky, entry});
 
     if (emitters_.empty())
-        throw InputError(scene.source +
-                         ": no light in the scene; add one with --sky R,G,B or --sun X,Y,Z,R,G,B");
+        throw NoLight(scene.source + ": no light in the scene");
     const double total = cumulative_.back();
     if (!std::isfinite(total) || !is_finite(power_))
         throw InputError(scene.source + ": its lights are too bright for float");

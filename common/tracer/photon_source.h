@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "common/core/input_error.h"
 #include "common/core/sampling.h"
 #include "common/scene/scene.h"
 #include "common/tracer/bounds_entry.h"
@@ -16,6 +17,12 @@
 #include "common/tracer/pilot.h"
 
 namespace common {
+
+/// Nothing in the scene shines; who calls may say how to add a light.
+class NoLight : public InputError {
+  public:
+    using InputError::InputError;
+};
 
 /// A photon as it leaves its light.
 struct EmittedPhoton {

@@ -152,12 +152,12 @@ std::string checked_text(const MapRun& run) {
 }  // namespace
 
 void Checksum::add(const std::string& text) {
-    for (const char c : text) hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    for (const char c : text) hash_ = common::fnv_step(hash_, static_cast<unsigned char>(c));
 }
 
 void Checksum::add(std::span<const std::int64_t> values) {
     for (const std::int64_t value : values) {
-        hash_ = (hash_ ^ static_cast<std::uint64_t>(value)) * 0x100000001b3;
+        hash_ = common::fnv_step(hash_, static_cast<std::uint64_t>(value));
         hash_ ^= hash_ >> 32;  // a multiplication carries upwards only
     }
 }

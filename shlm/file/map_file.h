@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 
+#include "common/core/fnv.h"
 #include "shlm/file/map_run.h"
 
 namespace shlm {
@@ -29,7 +30,7 @@ class Checksum {
     [[nodiscard]] std::int64_t value() const { return static_cast<std::int64_t>(hash_); }
 
   private:
-    std::uint64_t hash_ = 0xcbf29ce484222325;
+    std::uint64_t hash_ = common::fnv_start;
 };
 
 /// Writes beside the file, as FILE.part; `finish` puts it in the file's place. A file of that name stays as

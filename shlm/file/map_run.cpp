@@ -62,11 +62,11 @@ std::string MapIdentity::difference(const MapIdentity& found) const {
     };
     if (found.scene != scene) return say("the scene with fingerprint", found.scene, scene);
     if (found.model != model) return say("a map of kind", found.model, model);
-    if (found.texels_wanted != texels_wanted) return say("--texels", found.texels_wanted, texels_wanted);
-    if (found.texels != texels) return say("texels:", found.texels, texels);
+    if (found.texels_wanted != texels_wanted) return say("texels", found.texels_wanted, texels_wanted);
+    if (found.texels != texels) return say("texels in all:", found.texels, texels);
     if (found.numbers != numbers) return say("numbers per texel:", found.numbers, numbers);
     if (found.quantum != quantum) return "it counts light in other units";
-    if (found.seed != seed) return say("--seed", found.seed, seed);
+    if (found.seed != seed) return say("seed", found.seed, seed);
     return "";
 }
 

@@ -39,7 +39,7 @@ Built build(const std::vector<Vec3>& points) {
     const auto room = records.grow(points.size());
     for (std::uint32_t i = 0; i < points.size(); ++i) room[i] = {points[i], i};
     std::vector<std::uint32_t> number_at;
-    CompactIndex index = common::build_compact_index(
+    CompactIndex index = photonmap::build_compact_index(
         std::move(records), [&](std::size_t places) { number_at.assign(places, nobody); },
         [&](std::size_t place, const Numbered& record) { number_at[place] = record.number; });
     return {std::move(index), std::move(number_at)};

@@ -123,7 +123,7 @@ TEST_F(Checkpoint, PiecesThatAreNoRunAreNotMerged) {
     expect_refusal({"merge", a, after_gap, "--out", out}, {"photons 600 to 699 are missing", after_gap});
     expect_refusal({"merge", a, overlapping, "--out", out}, {"both have photons 599 to 599", overlapping});
     expect_refusal({"merge", a, a, "--out", out}, {"both have photons 0 to 599"});
-    expect_refusal({"merge", a, seed, "--out", out}, {seed, "--seed 2, not 1"});
+    expect_refusal({"merge", a, seed, "--out", out}, {seed, "seed 2, not 1"});
     expect_refusal({"merge", a, kind, "--out", out}, {kind, "L1/radiance, not L2/radiance"});
     expect_refusal({"merge", a, "--out", out}, {"at least two"});
     expect_refusal({"merge", a, path("none.exr"), "--out", out}, {"none.exr"});
@@ -138,11 +138,11 @@ TEST_F(Checkpoint, FilesOfAnotherRunAreRefused) {
         expect_refusal(trace(more, scene), fragments);
     };
     const std::string kept = text_of(file);
-    refused({"--seed", "2"}, {file, "--seed 1, not 2"});
+    refused({"--seed", "2"}, {file, "seed 1, not 2"});
     refused({"--method", "shlm/L1"}, {file, "L2/radiance, not L1/radiance"});
     refused({"--method", "shlm/L2/flux"}, {file, "L2/radiance, not L2/flux"});
-    refused({"--method", "shlm/L2/radiance/knn4/t2000"}, {file, "--texels 1500, not 2000"});
-    refused({"--method", "shlm/L2/radiance/knn4/face"}, {file, "--texels 1500, not face,1500"});
+    refused({"--method", "shlm/L2/radiance/knn4/t2000"}, {file, "texels 1500, not 2000"});
+    refused({"--method", "shlm/L2/radiance/knn4/face"}, {file, "texels 1500, not face,1500"});
     refused({"--sky", "1,1,1"}, {file, "fingerprint"});
     refused({}, {file, "fingerprint"}, build_folder + "/scenes/bumpy.glb");
     refused({"--first-photon", "5"}, {file, "begins at photon 0, not 5"});
@@ -258,7 +258,7 @@ TEST_F(Checkpoint, IsDrawnAsIfTracedOnTheSpot) {
         return more;
     };
     expect_refusal(with({"--method", "photonmap"}), {"--map"});
-    expect_refusal(with({"--method", "shlm"}), {file, "--texels 1500, not 262144"});
+    expect_refusal(with({"--method", "shlm"}), {file, "texels 1500, not 262144"});
     expect_refusal(with({"--method", "shlm", "--hits", "1e4"}), {"--map"});
 }
 

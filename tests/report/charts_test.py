@@ -11,6 +11,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "report")
 import charts
 import matplotlib.pyplot as plt
 from comparison import Comparison
+from known_methods import facts_of
 
 LIGHT_MAP, FLANN, GRID = "shlm/L2/radiance/surface4", "photonmap/flann/k50/disc", "photonmap/grid/r0.003/disc"
 CONTEXT = {"threads": 2, "seed": 1, "settings": "s", "machine": "m", "compiler": "c", "libraries": {"embree": "3", "flann": "1"}, "commit": "x"}
@@ -21,13 +22,13 @@ COLUMNS = ("trace_seconds", "making_room_seconds", "trace_and_insert_seconds", "
 
 
 def row(method, hits, peak, scene="room"):
-    made = {"scene": scene, "method": method, "hits_asked": hits, "hits": hits, "repetitions": 3, "bytes": peak / 2, "peak_growth_bytes": peak,
+    made = {"scene": scene, **facts_of(method), "hits_asked": hits, "hits": hits, "repetitions": 3, "bytes": peak / 2, "peak_growth_bytes": peak,
             "max_memory_bytes": WALL}
     return made | dict.fromkeys(COLUMNS, 1.0)
 
 
 def skipped(method, hits, scene="room"):
-    return {"scene": scene, "method": method, "hits_asked": hits, "skipped": "needs 80 GiB", "needed_bytes": 86 * hits, "max_memory_bytes": WALL}
+    return {"scene": scene, **facts_of(method), "hits_asked": hits, "skipped": "needs 80 GiB", "needed_bytes": 86 * hits, "max_memory_bytes": WALL}
 
 
 class Charts(unittest.TestCase):
@@ -79,7 +80,7 @@ class Charts(unittest.TestCase):
             self.assertGreater(high / low, 1.5)
 
     def test_one_photon_map_stands_for_its_engine(self):
-        rows = [row(m, 1000, 1e6) for m in ("photonmap/flann/r0.01/disc", FLANN, "photonmap/flann/k200/disc", GRID, "photonmap/grid/r0.1/disc")]
+        rows = [row(m, 1000, 1e6) for m in ("photonmap/flann/r0.01/disc", FLANN, "photonmap/flann/k200/disc", GRID, "photonmap/grid/r0.1/disc", LIGHT_MAP)]
         self.assertEqual(list(charts.styles(self.comparison(rows))), [FLANN, GRID, LIGHT_MAP])
 
 

@@ -16,6 +16,7 @@ from memory_wall import growth, wall_bytes
 from report import images
 from study_claims import converges, crossing_words, normal_maps
 from study_methods import REFERENCE_LIGHT_MAP, TRADITIONAL_LIGHT_MAP
+from known_methods import facts_of
 
 TEXELS = 1000
 TIMES = (
@@ -31,7 +32,7 @@ def row(method, hits, noise=0.01, **times):
     """Times that are not given are 1."""
     made = {
         "scene": "room",
-        "method": method,
+        **facts_of(method),
         "hits_asked": hits,
         "hits": hits,
         "texels": TEXELS,
@@ -45,7 +46,7 @@ def row(method, hits, noise=0.01, **times):
 
 
 def skipped(method, hits, needed, wall):
-    return {"scene": "room", "method": method, "hits_asked": hits, "skipped": "needs much", "needed_bytes": needed, "max_memory_bytes": wall}
+    return {"scene": "room", **facts_of(method), "hits_asked": hits, "skipped": "needs much", "needed_bytes": needed, "max_memory_bytes": wall}
 
 
 def write_comparison(folder, rows):

@@ -16,6 +16,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from synthetic_study import write_array, write_json
+from known_methods import facts_of
 
 WIDTH, HEIGHT = 96, 54
 STOPPED = 130
@@ -70,7 +71,7 @@ def study(extras):
                 noise = 0.02 * generator.normal(size=truth.shape)
                 write_array(out / answers, truth * (1 + extras.get("error", 0) + noise))
                 times = {f"{phase}_seconds": 0.25 for phase in ("trace", "insert", "build", "gather")}
-                rows.append({"scene": "pretended", "method": method, "hits_asked": hits, "hits": hits, "seed": seed, "bytes": 4096,
+                rows.append({"scene": "pretended", **facts_of(method), "hits_asked": hits, "hits": hits, "seed": seed, "bytes": 4096,
                              "answers": str(answers), **times})
     scene = {"file": sys.argv[2], "points": len(pixel), "width": WIDTH, "height": HEIGHT, "raw": "raw/pretended", "reference_error": 0.0}
     write_json(out, rows, {"pretended": scene})

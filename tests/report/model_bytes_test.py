@@ -8,15 +8,21 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "report"))
 
+from known_methods import facts_of
 from model_bytes import ADAPTIVE, PHOTON_MAP, bytes_for, front, kind_of, table
+from study_methods import method_of
+
+
+def method_named(name):
+    return method_of(facts_of(name))
 
 
 class Kinds(unittest.TestCase):
-    def test_names_say_what_a_method_is(self):
-        self.assertEqual(kind_of("shlm/a2.5/normalised/bilinear"), ADAPTIVE)
-        self.assertEqual(kind_of("shlm/AD/radiance/bilinear/t64/half"), "AD")
-        self.assertEqual(kind_of("shlm/L0/normalised/own"), "L0")
-        self.assertEqual(kind_of("photonmap/compact/k50/disc"), PHOTON_MAP)
+    def test_rows_say_what_a_method_is(self):
+        self.assertEqual(kind_of(method_named("shlm/a2.5/normalised/bilinear")), ADAPTIVE)
+        self.assertEqual(kind_of(method_named("shlm/AD/radiance/bilinear/t64/half")), "AD")
+        self.assertEqual(kind_of(method_named("shlm/L0/normalised/own")), "L0")
+        self.assertEqual(kind_of(method_named("photonmap/compact/k50/disc")), PHOTON_MAP)
 
 
 class Front(unittest.TestCase):
@@ -40,6 +46,7 @@ class Table(unittest.TestCase):
             "shlm/L0/normalised/bilinear/half": (5120, 10.0),
             "photonmap/compact/k50/disc": (1024 * 1024, 20.0),
         }
+        found = {method_named(name): point for name, point in found.items()}
         cells = [cell.strip() for cell in table("box", 10_000_000, found).split("|")]
         self.assertEqual(cells[1:], ["box", "1e+07", "a5/face/t16384", "10.00", "3", "5", "1.7", "-", ""])
 

@@ -39,29 +39,34 @@ from study_laws import (
     radius_law,
     z_for,
 )
-from study_methods import FIXED_K, FIXED_RADIUS, GROWING_K, LIGHT_MAP, OTHER, parse
+from study_methods import FIXED_K, FIXED_RADIUS, GROWING_K, LIGHT_MAP, OTHER, method_of
 from study_slopes import slope_finding
 from study_targets import AT_FIRST, BEYOND, NEVER, REACHED, bytes_to_reach, time_to_reach, winners
 from synthetic_study import Law, Plan, write_study
+from known_methods import facts_of
 
 
-class MethodNames(unittest.TestCase):
-    def test_names_say_family_and_settings(self):
-        found = parse("shlm/L4/normalised/bilinear/t65536")
+def method_named(name):
+    return method_of(facts_of(name))
+
+
+class Methods(unittest.TestCase):
+    def test_rows_say_family_and_settings(self):
+        found = method_named("shlm/L4/normalised/bilinear/t65536")
         self.assertEqual(
             (found.family, found.order, found.weight, found.gather, found.texels),
             (LIGHT_MAP, 4, "normalised", "bilinear", 65536),
         )
         self.assertEqual(found.least_hits, 100)
-        self.assertEqual(parse("shlm/L2/radiance/own/t64/h0").least_hits, 0)
+        self.assertEqual(method_named("shlm/L2/radiance/own/t64/h0").least_hits, 0)
         for name, family, number, kernel in (
             ("photonmap/flann/k50/disc", FIXED_K, 50, "disc"),
             ("photonmap/flann/k0.05n23/cone", GROWING_K, 0.05, "cone"),
             ("photonmap/flann/r0.01/epanechnikov", FIXED_RADIUS, 0.01, "epanechnikov"),
         ):
-            found = parse(name)
+            found = method_named(name)
             self.assertEqual((found.family, found.number, found.kernel), (family, number, kernel))
-        self.assertEqual(parse("path tracing").family, OTHER)
+        self.assertEqual(method_named("path tracing").family, OTHER)
 
 
 class SettledPoints(unittest.TestCase):
@@ -72,7 +77,7 @@ class SettledPoints(unittest.TestCase):
 
         points = tuple(point(hits) for hits in (1e4, 1e5, 1e6))
         for name, settled in (("shlm/L2/radiance/surface4", 2), ("shlm/L2/radiance/surface4/h10", 3), (PHOTONS, 3)):
-            self.assertEqual(len(Curve(parse(name), points).settled_points), settled)
+            self.assertEqual(len(Curve(method_named(name), points).settled_points), settled)
 
 
 class Slopes(Folder):
@@ -253,7 +258,7 @@ class Charted(unittest.TestCase):
         small, large = "photonmap/flann/r0.01/disc", "photonmap/flann/r0.02/disc"
         far = exact_curve(large, lambda h: 4e3 / h, lambda h: h, lambda h: h, sizes=(1e4, 1e5, 1e6))
         near = exact_curve(small, lambda h: 1e3 / h, lambda h: h, lambda h: h, sizes=(1e4, 1e5))
-        found = groups([small, large], {"cornell": {small: near, large: far}})
+        found = groups([method_named(small), method_named(large)], {"cornell": {small: near, large: far}})
         self.assertEqual(found["methods"], [small])
 
 

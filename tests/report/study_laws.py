@@ -11,8 +11,9 @@ from study_bootstrap import counts
 from study_curves import Curve, Point
 from study_data import Run
 from study_errors import ErrorSplit
-from study_methods import parse
+from study_methods import method_of
 from synthetic_study import Law
+from known_methods import facts_of
 
 SIGNIFICANCE = 1e-6  # chance that a correct program fails one bound
 SHLM, PHOTONS = "shlm/L2/radiance/surface4", "photonmap/flann/k50/disc"
@@ -87,7 +88,7 @@ def exact_point(method, hits, error, seconds, size, bias_sq=0.0, seeds=4):
 
 def exact_curve(method, error_of, seconds_of, bytes_of, sizes=(1e4, 1e5, 1e6, 1e7), bias_sq=0.0):
     return Curve(
-        parse(method),
+        method_of(facts_of(method)),
         tuple(exact_point(method, h, error_of(h), seconds_of(h), bytes_of(h), bias_sq) for h in sizes),
     )
 

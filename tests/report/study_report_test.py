@@ -27,6 +27,7 @@ from study_laws import (
     z_for,
 )
 from synthetic_study import CONTEXT, REFERENCE_VARIANCE, Plan, write_json, write_study
+from known_methods import facts_of
 
 
 class Reports(Folder):
@@ -99,10 +100,10 @@ class Reports(Folder):
         with open(self.folder / rows[1]["answers"], "r+b") as file:
             file.truncate(100)
         rows.append(
-            {"scene": "cornell", "method": PHOTONS, "hits_asked": 1_000_000, "skipped": "needs 12 GiB"}
+            {"scene": "cornell", **facts_of(PHOTONS), "hits_asked": 1_000_000, "skipped": "needs 12 GiB"}
         )
         rows.append(
-            {"scene": "atrium", "method": SHLM, "hits_asked": 10_000, "seed": 1, "answers": "nowhere"}
+            {"scene": "atrium", **facts_of(SHLM), "hits_asked": 10_000, "seed": 1, "answers": "nowhere"}
         )
         entries["atrium"] = {"points": 10, "raw": "raw/atrium", "reference": "atrium.exr"}
         write_json(self.folder, rows, entries)

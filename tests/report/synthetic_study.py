@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Callable
 
 import numpy as np
+from known_methods import facts_of
 
 WIDTH, HEIGHT = 128, 72
 REFERENCE_VARIANCE = 1e-6  # v_R
@@ -120,7 +121,7 @@ def row_of(scene, method, law, hits, seed, path, generator):
     jitter = generator.uniform(0.97, 1.03)
     return {
         "scene": scene,
-        "method": method,
+        **facts_of(method),
         "texels": law.texels,
         "hits_asked": hits,
         "hits": hits,

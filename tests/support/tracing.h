@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "bench/experiments/stability/traced_hits.h"
+#include "bench/setup/traced_hits.h"
 #include "common/core/threads.h"
 #include "common/tracer/trace_photons.h"
 #include "shlm/sums/quantum.h"

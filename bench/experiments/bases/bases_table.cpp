@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/contenders/row_facts.h"
 #include "bench/setup/provenance.h"
 
 namespace bench {
@@ -29,18 +30,19 @@ constexpr const char* definition =
 Json row_of(const BasisFigures& figures) {
     const auto expected = expected_figures(figures.light, figures.basis.name);
     const bool has_worst = expected && expected->worst;
-    return {{"light", name_of(figures.light)},
-            {"basis", figures.basis.name},
-            {"numbers_per_texel", figures.basis.numbers},
-            {"bytes_per_texel", figures.basis.bytes},
-            {"environments", figures.environments},
-            {"mean", figures.series.mean},
-            {"worst", figures.series.worst},
-            {"answered_mean", figures.answered.mean},
-            {"answered_worst", figures.answered.worst},
-            {"at_own_normal", figures.at_own_normal},
-            {"expected_mean", expected ? Json(expected->mean) : Json(nullptr)},
-            {"expected_worst", has_worst ? Json(*expected->worst) : Json(nullptr)}};
+    Json row = {{"light", name_of(figures.light)}, {"basis", figures.basis.name}};
+    add_facts(row, parse_contender("bases", figures.basis.contender));
+    row.update({{"numbers_per_texel", figures.basis.numbers},
+                {"bytes_per_texel", figures.basis.bytes},
+                {"environments", figures.environments},
+                {"mean", figures.series.mean},
+                {"worst", figures.series.worst},
+                {"answered_mean", figures.answered.mean},
+                {"answered_worst", figures.answered.worst},
+                {"at_own_normal", figures.at_own_normal},
+                {"expected_mean", expected ? Json(expected->mean) : Json(nullptr)},
+                {"expected_worst", has_worst ? Json(*expected->worst) : Json(nullptr)}});
+    return row;
 }
 
 Json tilt_as_json(const TiltCurve& tilt) {

@@ -40,9 +40,10 @@ template <class Model, shlm::Basis Kept = shlm::Harmonics<Model::order>, class N
 }
 
 struct Basis {
-    std::string name;     ///< as in the names of the methods: basis, weight, and half where it stores halves
-    std::size_t numbers;  ///< per texel
-    std::size_t bytes;    ///< per texel
+    std::string name;  ///< as in the names of the methods: basis, weight, and half where it stores halves
+    std::string contender;  ///< the method with one texel's answer
+    std::size_t numbers;    ///< per texel
+    std::size_t bytes;      ///< per texel
     BasisAnswers (*ask)(const OneTexel&, const common::HitBatch&, std::span<const common::Vec3>);
 };
 

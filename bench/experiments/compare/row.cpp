@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bench/contenders/row_facts.h"
+
 namespace bench {
 namespace {
 
@@ -75,13 +77,12 @@ std::string csv_cell(const Json& value) {
 }  // namespace
 
 Json make_row(const RowInput& in) {
-    Json row = {{"scene", in.scene},
-                {"method", in.method.name},
-                {"fields", in.method->fields()},
-                {"hits_asked", in.hits_asked},
-                {"seed", in.seed},
-                {"threads", in.threads},
-                {"fingerprint", in.fingerprint}};
+    Json row = {{"scene", in.scene}};
+    add_facts(row, in.method);
+    row["hits_asked"] = in.hits_asked;
+    row["seed"] = in.seed;
+    row["threads"] = in.threads;
+    row["fingerprint"] = in.fingerprint;
     row["needed_bytes"] = in.needed_bytes;
     row["max_memory_bytes"] = in.max_bytes;
     if (!in.skipped.empty()) {

@@ -7,6 +7,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "bench/contenders/light_map.h"
+
 namespace bench {
 namespace {
 
@@ -95,6 +97,18 @@ Json explanation_as_json(const fit::Explanation& explanation, const common::Scen
     return rows;
 }
 
+/// Of all that a block may keep, by the order of what is summed for it.
+Json colours_of_kinds() {
+    std::vector<const LightBasis*> bases;
+    for (const auto& [place, basis] : light_bases()) bases.push_back(&basis);
+    std::stable_sort(bases.begin(), bases.end(), [](const LightBasis* a, const LightBasis* b) {
+        return a->order < b->order;
+    });
+    Json colours = {{"dark", "#202020"}, {"flat", "#9ecae1"}};
+    for (const LightBasis* basis : bases) colours[basis->name] = basis->style.colour;
+    return colours;
+}
+
 Json picture_as_json(const fit::Explanation& explanation, const Json& fit) {
     const Json& entry = fit["light_map"];
     Json kinds = Json::array(), widths = Json::array();
@@ -112,6 +126,7 @@ Json picture_as_json(const fit::Explanation& explanation, const Json& fit) {
             {"width", explanation.width},
             {"height", explanation.height},
             {"kind", kinds},
+            {"colours", colours_of_kinds()},
             {"block_width", widths}};
 }
 

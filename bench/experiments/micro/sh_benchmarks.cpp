@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/experiments/micro/subjects.h"
-#include "shlm/map/light_map.h"
+#include "shlm/map/sink.h"
 
 namespace bench {
 namespace {
@@ -23,10 +23,10 @@ void evaluate(benchmark::State& state, SharedInputs& inputs) {
 
 /// Items: texels of a finished map, each asked for its own normal.
 void irradiance(benchmark::State& state, SharedInputs& inputs) {
-    PreparedScene& methods = inputs.methods(texels);
-    const auto map =
-        map_of(inputs.recording(hits),
-               shlm::Sink<shlm::PaperModel>(methods.texels(), shlm::NearestTexels{}, inputs.quantum()));
+    shlm::Sink<shlm::PaperModel> sink(inputs.prepared(texels).texels(), shlm::NearestTexels{},
+                                      shlm::Quantum(inputs.source().power()));
+    for (const auto& wave : inputs.recording(hits).waves) sink.consume(wave);
+    const auto map = common::finish_map(std::move(sink), inputs.recording(hits).report);
     for (auto _ : state)
         for (const auto& texel : map.texels()) {
             common::Rgb irradiance = texel.irradiance(texel.face.normal);

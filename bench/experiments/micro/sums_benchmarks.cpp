@@ -7,6 +7,7 @@
 #include "bench/contenders/plain_sums.h"
 #include "bench/experiments/micro/subjects.h"
 #include "common/core/sampling.h"
+#include "shlm/map/sink.h"
 
 namespace bench {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/experiments/stability/known_light.h"
-#include "bench/experiments/stability/traced_hits.h"
+#include "bench/setup/traced_hits.h"
 
 namespace bench {
 

@@ -7,6 +7,7 @@
 
 #include "bench/contenders/light_map.h"
 #include "bench/contenders/memory_need.h"
+#include "bench/contenders/row_facts.h"
 #include "bench/contenders/trace_into.h"
 #include "bench/setup/output_folder.h"
 #include "common/core/input_error.h"

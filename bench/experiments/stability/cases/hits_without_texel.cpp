@@ -1,7 +1,7 @@
 // 9. Hits that have no texel, and hits that are no numbers: none is lost without being counted.
 #include "bench/experiments/stability/faulty_box.h"
 #include "bench/experiments/stability/stability_case.h"
-#include "bench/experiments/stability/traced_hits.h"
+#include "bench/setup/traced_hits.h"
 
 namespace bench {
 namespace {

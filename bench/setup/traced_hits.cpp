@@ -1,4 +1,4 @@
-#include "bench/experiments/stability/traced_hits.h"
+#include "bench/setup/traced_hits.h"
 
 #include "common/tracer/recording_sink.h"
 #include "common/tracer/trace_photons.h"

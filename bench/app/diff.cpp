@@ -1,4 +1,4 @@
-
+// shlmbench diff: how far an image is from a reference.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-
+// shlmbench info: what is in a scene and what the methods can do with it.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-
+// shlmbench merge: light maps of adjoining photons into one.
 #include <fmt/format.h>
 
 #include <algorithm>

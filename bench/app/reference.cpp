@@ -1,4 +1,4 @@
-
+// shlmbench reference: what the methods estimate, by path tracing, with its error.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,6 +39,15 @@ void require_something_to_measure(const LoadedScene& loaded, const ReferenceRun&
                          ": the camera sees no diffuse surface; give another with --camera");
 }
 
+/// Of the file that is to be written, where there is one.
+std::optional<reference::ReferenceSums> earlier_sums(const ReferenceRun& run) {
+    try {
+        return reference::sums_to_go_on_from(run.out, run.identity);
+    } catch (const common::InputError& e) {
+        throw common::InputError(std::string("--out: ") + e.what());
+    }
+}
+
 void run(const ReferenceOptions& options) {
     const ReferenceTarget target = reference_target(options.spp, options.until);
     check_image_output(options.out, options.width, options.height,
@@ -50,7 +59,7 @@ void run(const ReferenceOptions& options) {
         const common::PhotonSource source(loaded.rays);  // refuses scenes without light
         const ReferenceRun run(loaded, source, options.run.seed, options.out, options.width, options.height);
         require_something_to_measure(loaded, run);
-        std::optional<reference::ReferenceSums> before = reference::sums_to_go_on_from(run.out, run.identity);
+        std::optional<reference::ReferenceSums> before = earlier_sums(run);
         print_scene_warnings(loaded);
         if (const std::string endless = endless_light(source); !endless.empty())
             print_warning(loaded, endless);

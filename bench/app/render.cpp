@@ -1,4 +1,4 @@
-
+// shlmbench render: one method's picture of a scene.
 
 #include <fmt/format.h>
 

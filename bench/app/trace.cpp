@@ -1,4 +1,4 @@
-
+// shlmbench trace: a light map filled for as long as one likes, kept in a file.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -14,7 +14,7 @@
 
 namespace bench {
 
-/// How it is drawn, the same in every chart.
+/// Its colour and marker. Charts of many variants of one kind shade them.
 struct ChartStyle {
     std::string colour;  ///< "#rrggbb"
     std::string marker;  ///< as matplotlib names it

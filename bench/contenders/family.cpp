@@ -1,5 +1,7 @@
 #include "bench/contenders/family.h"
 
+#include "bench/setup/register_once.h"
+
 namespace bench {
 namespace {
 
@@ -15,7 +17,7 @@ const std::map<std::string, Family>& all_families() {
 }
 
 RegisteredFamily::RegisteredFamily(const std::string& name, Family family) {
-    families().emplace(name, std::move(family));
+    register_once(families(), name, std::move(family));
 }
 
 }  // namespace bench

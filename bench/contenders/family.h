@@ -15,7 +15,7 @@ class Technique;
 
 /// A part of a family's names, as people are told of it.
 struct NameField {
-    std::string key;   ///< in Technique::fields
+    std::string key;   ///< as people are told
     std::string form;  ///< what may stand there: "disc, cone or epanechnikov"
     std::string meaning;
 };

@@ -6,6 +6,7 @@
 
 #include "bench/contenders/family.h"
 #include "bench/contenders/light_map_names.h"
+#include "bench/setup/register_once.h"
 #include "common/core/stopwatch.h"
 #include "common/scene/fingerprint.h"
 
@@ -104,7 +105,7 @@ const std::map<int, LightBasis>& light_bases() {
 }
 
 RegisteredBasis::RegisteredBasis(int place, const LightBasis& basis) {
-    bases().emplace(place, basis);
+    register_once(bases(), place, basis);
 }
 
 const char* name_of(shlm::ShWeight weight) {

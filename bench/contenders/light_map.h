@@ -49,7 +49,7 @@ struct LightBasis {
                                              float watts_per_flux, const MapForm& form);
     std::size_t (*numbers)(shlm::ShWeight weight);    ///< summed per texel and channel
     std::size_t (*sum_bytes)(shlm::ShWeight weight);  ///< per texel, while it is filled
-    std::size_t texel_bytes;                          ///< of the finished map, in floats
+    std::size_t texel_bytes;                          ///< of the finished map, in floats, at most
 };
 
 /// By the order in which they are told of; the first is the default.

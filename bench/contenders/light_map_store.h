@@ -1,6 +1,9 @@
 // The sums of one model as a store, and what bases make of them: for the bases' files.
 #pragma once
 
+#include <tuple>
+#include <type_traits>
+
 #include "bench/contenders/light_map.h"
 #include "shlm/file/checkpoint.h"
 #include "shlm/map/sink.h"

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/contenders/family.h"
+#include "bench/setup/register_once.h"
 
 namespace bench {
 namespace {
@@ -92,7 +93,7 @@ const std::map<int, PhotonMapEngine>& photon_map_engines() {
 }
 
 RegisteredEngine::RegisteredEngine(int place, const PhotonMapEngine& engine) {
-    engines().emplace(place, engine);
+    register_once(engines(), place, engine);
 }
 
 std::string PhotonMapTechnique::name() const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "bench/contenders/photon_map.h"
 #include "common/core/stopwatch.h"

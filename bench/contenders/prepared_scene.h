@@ -22,11 +22,14 @@ struct ContenderSettings {
 /// "texels=262144 max-radius=auto", "texels=face,262144 max-radius=0.5"
 [[nodiscard]] std::string describe(const ContenderSettings& settings);
 
-/// All parts are made when first asked for.
+/// Texels, and what covers what, are made when first asked for. Hands out places within itself, so it stays
+/// where it is.
 class PreparedScene {
   public:
     /// `scene` must outlive it.
     PreparedScene(const LoadedScene& scene, const ContenderSettings& settings);
+    PreparedScene(const PreparedScene&) = delete;
+    PreparedScene& operator=(const PreparedScene&) = delete;
 
     [[nodiscard]] const common::Scene& scene() const { return *scene_; }
 

@@ -66,10 +66,7 @@ FilledStore::FilledStore(ContenderGroup group, PreparedScene& scene, const commo
 }
 
 common::TraceReport trace_into(std::span<FilledStore> stores, const TracedRun& run) {
-    if (stores.size() > 1) return traced(WavesInTurn(stores), run);
-    const common::TraceReport report = trace_into(*stores.front().store, run);
-    stores.front().insert_seconds += report.sink_seconds - run.so_far.sink_seconds;
-    return report;
+    return traced(WavesInTurn(stores), run);
 }
 
 }  // namespace bench

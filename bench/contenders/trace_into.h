@@ -32,12 +32,15 @@ struct FilledStore {
     double making_room_seconds = 0;  ///< a light map's sums are there from the start
     double insert_seconds = 0;
 
+    /// Of both.
+    [[nodiscard]] double seconds() const { return making_room_seconds + insert_seconds; }
+
     FilledStore(ContenderGroup group, PreparedScene& scene, const common::PhotonSource& source);
 };
 
-/// Adds to each store's insert_seconds. Several stores get waves in turn, in any order or not: block by block
-/// ten light maps drive each other's sums out of the cache and take 1.65 times as long, while one takes as
-/// long by waves as by blocks.
+/// Adds to each store's insert_seconds, wall time. The stores get waves in turn, in any order or not: block
+/// by block, ten light maps drive each other's sums out of the cache and take 1.65 times as long, while one
+/// takes as long by waves as by blocks.
 [[nodiscard]] common::TraceReport trace_into(std::span<FilledStore> stores, const TracedRun& run);
 
 }  // namespace bench

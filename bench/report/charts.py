@@ -108,7 +108,7 @@ def draw_bytes(comparison):
 
 
 def longest_series(comparison, scene):
-    return max((comparison.series(scene, method) for method in styles(comparison)), key=len)
+    return max((comparison.series(scene, method) for method in styles(comparison)), key=len, default=[])
 
 
 def draw_beyond(axes, grows, style, wall):

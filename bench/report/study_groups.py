@@ -106,7 +106,7 @@ def texel_variants(methods):
     plain = next((m for m in methods if m.name == REFERENCE_LIGHT_MAP), None)
 
     def is_variant(m):
-        same = ("family", "basis", "weight", "gather", "placement", "least_hits")
+        same = ("family", "basis", "weight", "gather", "placement", "least_hits", "half")
         return plain is not None and all(getattr(m, key) == getattr(plain, key) for key in same)
 
     return [m.name for m in sorted(methods, key=lambda m: m.texels) if is_variant(m)]

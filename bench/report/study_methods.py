@@ -42,6 +42,7 @@ class Method:
     number: float = 0  # k, C, the radius as a share of the scene's diagonal, or the error in % that an adaptive map wants
     kernel: str = ""
     basis: str = ""
+    half: bool = False  # stores 16-bit floats
     engine: str = ""
     colour: str = NO_STYLE["colour"]
     marker: str = NO_STYLE["marker"]
@@ -77,6 +78,7 @@ def method_of(row):
             least_hits=fields.get("least_hits", 0),
             number=fields.get("wanted_error_percent", 0),
             basis=fields["basis"],
+            half=fields.get("half", False),
             **drawn,
         )
     if fields.get("family") == "photonmap":

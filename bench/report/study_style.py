@@ -1,4 +1,4 @@
-"""How charts look: one style per method everywhere, and sheets of panels with room for words."""
+"""How charts look: colours of the methods, shaded where a chart has many of a kind, and sheets of panels with room for words."""
 
 import textwrap
 
@@ -37,7 +37,7 @@ FAMILY_MARKERS = {FIXED_K: "o", GROWING_K: "s", FIXED_RADIUS: "p"}
 
 
 def colour_of_weight(colour, weight):
-    """The basis's own where the weight is the usual one."""
+    """The basis's own for the radiance weight, darker where it is normalised, paler for flux."""
     towards, share = WEIGHT_BLENDS[weight]
     return tuple((1 - share) * np.array(to_rgb(colour)) + share * np.array(to_rgb(towards)))
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "bench/setup/numbers.h"
+#include "bench/setup/register_once.h"
 
 namespace bench {
 namespace {
@@ -20,7 +21,8 @@ std::map<int, CommandEntry>& entries() {
 
 template <class Value>
 void add_text(CLI::App& app, const std::string& name, Value& value, const std::string& help, Need need) {
-    CLI::Option* option = app.add_option(name, value, help)->capture_default_str();
+    CLI::Option* option = app.add_option(name, value, help);
+    if (!value.empty()) option->capture_default_str();
     if (need == Need::required) option->required();
 }
 
@@ -84,7 +86,7 @@ void Command::number(const std::string& name, std::optional<double>& value, cons
 }
 
 RegisteredCommand::RegisteredCommand(int place, CommandEntry entry) {
-    entries().emplace(place, std::move(entry));
+    register_once(entries(), place, std::move(entry));
 }
 
 int run_command(int argc, char** argv, const std::function<void(const std::string&)>& complain) {

@@ -14,7 +14,7 @@ else()
   endif()
 endif()
 file(CONFIGURE OUTPUT ${HEADER} CONTENT [[
-// Written by bench/app/commit.cmake.
+// Written by bench/setup/commit.cmake.
 #pragma once
 
 namespace bench {

@@ -88,7 +88,7 @@ void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
     if (descriptor < 0) fail(errno);
     int error = write_all(descriptor, bytes);
     // What did not reach the disk is not whole: a full one may say so only now.
-    if (error == 0 && fsync(descriptor) != 0) error = errno;
+    if (error == 0 && fsync(descriptor) != 0 && errno != EINVAL && errno != ENOSYS) error = errno;
     if (close(descriptor) != 0 && error == 0) error = errno;
     if (error == 0 && std::rename(temporary.c_str(), file.c_str()) != 0) error = errno;
     if (error != 0) fail(error);

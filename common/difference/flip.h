@@ -21,7 +21,8 @@ inline constexpr float flip_pixels_per_degree = 67.02064f;
 /// HDR-FLIP (Andersson, Nilsson, Shirley and Akenine-Moeller, "Visualizing Errors in Rendered High Dynamic
 /// Range Images", 2021): the largest LDR-FLIP over the exposures that show the reference from its brightest
 /// pixel to its median (flip_exposures.h). Linear RGB in any unit, finite; negative values count as 0.
-/// tests/flip_test.cpp has what the published evaluator, flip_evaluator 1.7, gives: it agrees to 1e-4.
+/// tests/difference/flip_test.cpp has what the published evaluator, flip_evaluator 1.7, gives: it agrees to
+/// 1e-4.
 ///
 /// Throws InputError unless both have width * height pixels, all finite, and the reference is not black.
 [[nodiscard]] std::vector<float> flip_map(std::span<const Rgb> image, std::span<const Rgb> reference,

@@ -54,12 +54,12 @@ PictureWindow window_of(const Imf::Header& header) {
 }
 
 ImageHeader header_of(const Imf::Header& header) {
-    ImageHeader read{window_of(header), ordered_channels(header.channels()), true, {}};
+    ImageHeader read{window_of(header), ordered_channels(header.channels()), false, {}};
     for (auto attribute = header.begin(); attribute != header.end(); ++attribute)
         if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute()))
             read.notes[attribute.name()] = text->value();
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel)
-        if (channel.channel().type == Imf::UINT) read.has_linear_values = false;
+        if (channel.channel().type != Imf::UINT) read.has_linear_values = true;
     return read;
 }
 
@@ -80,8 +80,8 @@ class ExrReader : public ImageReader {
         const std::vector<std::string>& channels = header().channels;
         const double bytes =
             sizeof(float) * static_cast<double>(channels.size()) * window.width * window.height;
-        // No compression makes so little of so much: such a header is broken, and no room is made for it.
-        if (bytes > 0x1p28 && bytes > 4e3 * static_cast<double>(file_bytes_))
+        // Hardly any picture is made so small: such a header is broken, and no room is made for it.
+        if (bytes > 0x1p28 && bytes > 1e5 * static_cast<double>(file_bytes_))
             throw std::runtime_error("it is much too short for its pixels");
         std::vector<float> values(channels.size() * static_cast<std::size_t>(window.width) *
                                   static_cast<std::size_t>(window.height));

@@ -16,10 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 
 std::unique_ptr<ImageReader> open_image(const fs::path& file) {
+    if (std::error_code unknown; !fs::exists(file, unknown))
+        throw InputError(fmt::format("{}: cannot be read: there is no such file", file.string()));
     try {
         if (auto exr = open_exr(file)) return exr;
         if (auto png = open_png(file)) return png;
         return open_other_format(file);
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& e) {
         throw InputError(fmt::format("{}: cannot be read: {}", file.string(), e.what()));
     }

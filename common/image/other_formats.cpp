@@ -21,6 +21,8 @@ void* load_module() {
         if (void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return module;
         trouble = dlerror();
     }
+    // Wherever the program's own libraries are looked for.
+    if (void* const module = dlopen(SHLMBENCH_IMAGE_MODULE, RTLD_NOW | RTLD_LOCAL)) return module;
     throw std::runtime_error(
         fmt::format("it is neither OpenEXR nor PNG of 8 bits, and OpenImageIO is not there for it{}{}",
                     trouble.empty() ? "" : ": ", trouble));

@@ -131,11 +131,15 @@ ImageHeader header_of(const PngFile& file) {
 
 class PngReader : public ImageReader {
   public:
-    explicit PngReader(std::unique_ptr<PngFile> file)
-        : ImageReader(header_of(*file)), file_(std::move(file)) {}
+    PngReader(std::unique_ptr<PngFile> file, std::uintmax_t file_bytes)
+        : ImageReader(header_of(*file)), file_(std::move(file)), file_bytes_(file_bytes) {}
 
     std::vector<float> read_values() override {
         const std::size_t row = header().channels.size() * static_cast<std::size_t>(header().window.width);
+        // Its compression makes a thousandth of the pixels at most.
+        const double bytes = static_cast<double>(row) * header().window.height;
+        if (bytes > 0x1p28 && bytes > 2e3 * static_cast<double>(file_bytes_))
+            throw std::runtime_error("it is much too short for its pixels");
         std::vector<png_byte> bytes(row * static_cast<std::size_t>(header().window.height));
         std::vector<png_bytep> rows;
         for (std::size_t begin = 0; begin < bytes.size(); begin += row) rows.push_back(bytes.data() + begin);
@@ -147,6 +151,7 @@ class PngReader : public ImageReader {
 
   private:
     std::unique_ptr<PngFile> file_;
+    std::uintmax_t file_bytes_;
 };
 
 }  // namespace
@@ -176,7 +181,7 @@ std::unique_ptr<ImageReader> open_png(const fs::path& path) {
         (type != PNG_COLOR_TYPE_RGB && type != PNG_COLOR_TYPE_GRAY) ||
         png_get_valid(file->png, file->info, PNG_INFO_tRNS) != 0)
         return nullptr;
-    return std::make_unique<PngReader>(std::move(file));
+    return std::make_unique<PngReader>(std::move(file), fs::file_size(path));
 }
 
 }  // namespace common

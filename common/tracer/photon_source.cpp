@@ -229,8 +229,7 @@ PhotonSource::PhotonSource(const Scene& scene) : scene_(&scene) {
     for (const DirectionalLight& light : scene.directional_light) add(DirectionalEmitter{light, entry});
     if (scene.sky) add(SkyEmitter{*scene.sky, entry});
 
-    if (emitters_.empty())
-        throw NoLight(scene.source + ": no light in the scene");
+    if (emitters_.empty()) throw NoLight(scene.source + ": no light in the scene");
     const double total = cumulative_.back();
     if (!std::isfinite(total) || !is_finite(power_))
         throw InputError(scene.source + ": its lights are too bright for float");

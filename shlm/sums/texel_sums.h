@@ -35,7 +35,8 @@ inline constexpr std::int64_t max_texel_quanta = std::int64_t{1} << 62;
 /// hold. Under uniform light that is once in 100 to 200 hits. A hit too bright for 32 bits goes straight to
 /// the 64-bit sums.
 ///
-/// Chosen by measurement (bench/micro, sums/...; tests/texel_sums_test.cpp), order 2, random texels:
+/// Chosen by measurement (bench/experiments/micro, sums/...; tests/shlm/texel_sums_test.cpp), order 2, random
+/// texels:
 ///
 ///                        bytes  ns per add: 4096, 262144, 4 M texels  error after 3 2^24 equal adds
 ///   float                  128      9    17    40                       0.38: it stalls at 2^24

@@ -1,7 +1,7 @@
 // Traces a glTF scene into a sink of this program's own and into a light map, and asks the map.
 #include <cstdio>
 #include <exception>
-#include <numbers>
+#include <stdexcept>
 
 #include "common/gltf/load_gltf.h"
 #include "common/tracer/trace_photons.h"

@@ -19,6 +19,9 @@ TEST_F(Study, HasARowForEachMethodSizeAndSeed) {
     for (const Json& row : rows) {
         SCOPED_TRACE(row.dump());
         EXPECT_EQ(row["scene"], "cornell");
+        EXPECT_EQ(row["fields"]["family"],
+                  row["method"].get<std::string>().starts_with("shlm") ? "shlm" : "photonmap");
+        EXPECT_EQ(row["style"]["colour"].get<std::string>().size(), 7u);
         EXPECT_GE(row["hits"], row["hits_asked"]);
         EXPECT_GT(row["photons_emitted"], 0);
         for (const char* name : {"trace_seconds", "insert_seconds", "build_seconds", "gather_seconds"})

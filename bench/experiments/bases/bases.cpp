@@ -1,4 +1,4 @@
-
+// shlmbench bases: what a texel's basis loses at tilted normals, without a scene and without noise.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-
+// shlmbench compare: the methods side by side, over scenes and numbers of hits.
 #include <fmt/format.h>
 
 #include "bench/contenders/picture.h"

@@ -22,7 +22,7 @@ struct RowInput {
     std::size_t texels = 0;                      ///< of the light map; 0 for photon maps
     std::vector<common::TraceReport> null_sink;  ///< one per repetition, paired with `measurements`
     std::vector<Measurement> measurements;
-    std::size_t needed_bytes = 0;  ///< computed before, see bench/app/memory_need.h
+    std::size_t needed_bytes = 0;  ///< computed before, see bench/contenders/memory_need.h
     std::size_t max_bytes = 0;     ///< --max-memory
     std::string skipped;           ///< why the method was not run, or not to its end; empty where it was
 };

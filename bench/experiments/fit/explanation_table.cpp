@@ -101,9 +101,8 @@ Json explanation_as_json(const fit::Explanation& explanation, const common::Scen
 Json colours_of_kinds() {
     std::vector<const LightBasis*> bases;
     for (const auto& [place, basis] : light_bases()) bases.push_back(&basis);
-    std::stable_sort(bases.begin(), bases.end(), [](const LightBasis* a, const LightBasis* b) {
-        return a->order < b->order;
-    });
+    std::stable_sort(bases.begin(), bases.end(),
+                     [](const LightBasis* a, const LightBasis* b) { return a->order < b->order; });
     Json colours = {{"dark", "#202020"}, {"flat", "#9ecae1"}};
     for (const LightBasis* basis : bases) colours[basis->name] = basis->style.colour;
     return colours;

@@ -1,4 +1,4 @@
-
+// shlmbench fit: the settings that reach an error at least cost, found without a reference.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

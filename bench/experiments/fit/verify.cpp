@@ -20,8 +20,7 @@ VerifiedRun run_once(const Contender& contender, std::uint64_t hits, std::uint64
     const common::Stopwatch gather;
     const std::vector<common::Rgb> answers = ask(*map.answers, scene.points());
     VerifiedRun run{.seed = seed, .hits = trace.hits};
-    run.seconds = trace.trace_seconds + filled.making_room_seconds + filled.insert_seconds +
-                  map.build_seconds + gather.seconds();
+    run.seconds = trace.trace_seconds + filled.seconds() + map.build_seconds + gather.seconds();
     run.bytes = map.answers->bytes();
     const common::DifferenceFigures figures = common::difference(answers, scene.truth());
     run.error = figures.relative_rms;

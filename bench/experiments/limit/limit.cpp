@@ -1,4 +1,4 @@
-
+// shlmbench limit: how near tracing comes to what Embree alone does with the same rays.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -12,8 +12,10 @@ void append(benchmark::State& state, SharedInputs& inputs, const std::string& co
             int threads) {
     const Recording& recording = inputs.recording(hits);
     common::ThreadPool pool(threads);
+    const Contender named = parse_contender("micro", contender);
+    named->prepare(inputs.prepared());
     for (auto _ : state) {
-        std::unique_ptr<Store> store = inputs.store(contender);
+        std::unique_ptr<Store> store = named->make_store(inputs.prepared(), inputs.source());
         pool.run([&] { replay(recording, *store); });
         state.PauseTiming();
         store.reset();

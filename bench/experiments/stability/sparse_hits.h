@@ -29,10 +29,10 @@ namespace bench {
 }
 
 /// The mean of `use(irradiance / truth)` over texels of even light in blocks of `least_hits`
-/// (shlm/texel_blocks.h), where `hits_per_texel` fall on each on average: a block of m hits on average shows
-/// x of them, which is x / m, if it has less than least_hits and its parent, with a Poisson number of hits in
-/// its other three quarters, has as many. A texel is a block in any case. `levels`: how often the whole is
-/// divided.
+/// (shlm/map/texel_blocks.h), where `hits_per_texel` fall on each on average: a block of m hits on average
+/// shows x of them, which is x / m, if it has less than least_hits and its parent, with a Poisson number of
+/// hits in its other three quarters, has as many. A texel is a block in any case. `levels`: how often the
+/// whole is divided.
 template <class Use>
 [[nodiscard]] double mean_over_blocks(double hits_per_texel, int least_hits, int levels, Use use) {
     double sum = 0;

@@ -1,4 +1,4 @@
-
+// shlmbench stability: the collection of failure cases.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "bench/setup/register_once.h"
+
 namespace bench {
 namespace {
 
@@ -13,7 +15,7 @@ std::map<int, StabilityCase>& registered_cases() {
 }  // namespace
 
 RegisteredCase::RegisteredCase(int number, const StabilityCase& stability_case) {
-    registered_cases().emplace(number, stability_case);
+    register_once(registered_cases(), number, stability_case);
 }
 
 std::vector<const StabilityCase*> stability_cases() {

@@ -1,4 +1,4 @@
-
+// shlmbench study: error beside time and bytes, over methods, hits and seeds.
 #include <fmt/format.h>
 
 #include <cstdlib>

@@ -27,12 +27,14 @@ struct RunFacts {
     common::TraceReport trace;
 };
 
-Json row_start(const RunFacts& facts, const Contender& method, const ContenderSettings& settings) {
-    const LightMapTechnique* light_map = method.light_map();
-    return {
-        {"scene", facts.scene},           {"method", method.name},
-        {"fields", method->fields()},     {"texels", light_map ? light_map->texel_choice(settings).count : 0},
-        {"hits_asked", facts.hits_asked}, {"seed", facts.seed}};
+Json row_start(const RunFacts& facts, const Contender& contender, const ContenderSettings& settings) {
+    const LightMapTechnique* light_map = contender.light_map();
+    Json row = {{"scene", facts.scene}};
+    add_facts(row, contender);
+    row["texels"] = light_map ? light_map->texel_choice(settings).count : 0;
+    row["hits_asked"] = facts.hits_asked;
+    row["seed"] = facts.seed;
+    return row;
 }
 
 Json row_of(const RunFacts& facts, const Contender& contender, const ContenderSettings& settings,
@@ -87,7 +89,7 @@ std::vector<ContenderGroup> that_fit(std::vector<ContenderGroup> groups, const S
 void ask_all(const FilledStore& filled, const RunFacts& facts, const StudyPlan& plan, ReferenceScene& scene,
              std::vector<Json>& rows) {
     const StoreFacts store = filled.store->facts();
-    const double insert_seconds = filled.making_room_seconds + filled.insert_seconds;
+    const double insert_seconds = filled.seconds();
     for (const Contender& contender : filled.contenders) {
         if (common::interrupted()) return;
         const FinishedMap map = contender->finish(*filled.store, facts.trace);

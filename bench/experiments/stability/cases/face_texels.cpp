@@ -96,7 +96,7 @@ const RegisteredCase registered(
      .theory = "400 texels and a variance of 1/10, however the floor is cut. Each triangle by itself: 1/10 "
                "of the ratio of the areas.",
      .advice = "No remedy needed: triangles that are flat together share their texels "
-               "(shlm/flat_patches.h).",
+               "(shlm/layout/flat_patches.h).",
      .mutations = {"triangles are not joined"},
      .run = run,
      .logarithmic_swept = true,

@@ -36,7 +36,7 @@ TEST_F(BasesCommand, WritesTableTextAndCharts) {
     EXPECT_EQ(row["expected_worst"], 14);
     EXPECT_GT(row["worst"], row["mean"]);
     EXPECT_TRUE(document["rows"][1]["expected_mean"].is_null());
-    EXPECT_EQ(document["tilt"]["series"].size(), 20u);
+    EXPECT_EQ(document["tilt"]["series"].size(), 16u);
     EXPECT_NE(child_process::text_of(out() / "bases.md").find("| mixed room | L4/radiance | 54 | 216 | 5 |"),
               std::string::npos);
     for (const std::string name : {"bases.png", "bases-tilt.png"})

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "bench/contenders/family.h"
@@ -87,10 +88,6 @@ const RegisteredFamily registered("photonmap", {"photons on surfaces, gathered a
                                                 parse, fields, names});
 
 }  // namespace
-
-const std::map<int, PhotonMapEngine>& photon_map_engines() {
-    return engines();
-}
 
 RegisteredEngine::RegisteredEngine(int place, const PhotonMapEngine& engine) {
     register_once(engines(), place, engine);

@@ -1,8 +1,6 @@
 // Photon maps: an engine, which photons are gathered, and how they are weighted.
 #pragma once
 
-#include <map>
-
 #include "bench/contenders/contender.h"
 #include "photonmap/gather_settings.h"
 
@@ -26,12 +24,10 @@ struct PhotonMapEngine {
                                                   const common::CoveringSurfaces* covers);
 };
 
-/// By the order in which they are told of; the first is the default.
-[[nodiscard]] const std::map<int, PhotonMapEngine>& photon_map_engines();
-
 /// Adds an engine for as long as the program runs: each has one of these in its file (engines/).
 class RegisteredEngine {
   public:
+    /// `place`: where it is told of among the others, each its own; the first is the default.
     RegisteredEngine(int place, const PhotonMapEngine& engine);
 };
 

@@ -10,7 +10,6 @@
 #include <OpenEXR/ImfTestFile.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "common/core/output_file.h"
 #include "common/image/exr_headers.h"
@@ -80,9 +79,8 @@ class ExrReader : public ImageReader {
         const std::vector<std::string>& channels = header().channels;
         const double bytes =
             sizeof(float) * static_cast<double>(channels.size()) * window.width * window.height;
-        // Hardly any picture is made so small: such a header is broken, and no room is made for it.
-        if (bytes > 0x1p28 && bytes > 1e5 * static_cast<double>(file_bytes_))
-            throw std::runtime_error("it is much too short for its pixels");
+        constexpr double most_packed = 1e5;  // hardly any picture is made so small
+        check_can_hold(file_bytes_, bytes, most_packed);
         std::vector<float> values(channels.size() * static_cast<std::size_t>(window.width) *
                                   static_cast<std::size_t>(window.height));
         const Imath::Box2i& data = exr_->header(0).dataWindow();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <stdexcept>
 
 #include "common/core/input_error.h"
 #include "common/image/image_reader.h"
@@ -15,13 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::unique_ptr<ImageReader> open_image(const fs::path& file) {
-    if (std::error_code unknown; !fs::exists(file, unknown))
-        throw InputError(fmt::format("{}: cannot be read: there is no such file", file.string()));
+/// What `work` gives; whatever it throws becomes the one line about the file, but for a lack of memory.
+template <class Work>
+auto while_reading(const fs::path& file, const Work& work) {
     try {
-        if (auto exr = open_exr(file)) return exr;
-        if (auto png = open_png(file)) return png;
-        return open_other_format(file);
+        return work();
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& e) {
@@ -29,7 +28,22 @@ std::unique_ptr<ImageReader> open_image(const fs::path& file) {
     }
 }
 
+std::unique_ptr<ImageReader> open_image(const fs::path& file) {
+    return while_reading(file, [&] {
+        if (std::error_code unknown; !fs::exists(file, unknown)) throw InputError("there is no such file");
+        if (auto exr = open_exr(file)) return exr;
+        if (auto png = open_png(file)) return png;
+        return open_other_format(file);
+    });
+}
+
 }  // namespace
+
+void check_can_hold(std::uintmax_t file_bytes, double pixel_bytes, double most_packed) {
+    constexpr double always_fine = 0x1p28;
+    if (pixel_bytes > always_fine && pixel_bytes > most_packed * static_cast<double>(file_bytes))
+        throw std::runtime_error("it is much too short for its pixels");
+}
 
 std::optional<std::size_t> Image::find_channel(std::string_view name) const {
     const auto found = std::find(channels.begin(), channels.end(), name);
@@ -62,13 +76,9 @@ PictureWindow read_window(const fs::path& file) {
 Image read_image(const fs::path& file) {
     const auto reader = open_image(file);
     const ImageHeader& header = reader->header();
-    try {
-        return {header.window.width, header.window.height, header.channels, reader->read_values()};
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& e) {
-        throw InputError(fmt::format("{}: cannot be read: {}", file.string(), e.what()));
-    }
+    return while_reading(file, [&] {
+        return Image{header.window.width, header.window.height, header.channels, reader->read_values()};
+    });
 }
 
 ImageNotes read_notes(const fs::path& file) {

@@ -1,6 +1,7 @@
 // One opened image file, whatever its kind.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "common/image/image.h"
@@ -30,6 +31,10 @@ class ImageReader {
   private:
     ImageHeader header_;
 };
+
+/// Throws std::exception where pixels of so many bytes cannot be in a file of `file_bytes`, whose compression
+/// makes `most_packed` of one at most: such a header is broken, and no room is made for what it says.
+void check_can_hold(std::uintmax_t file_bytes, double pixel_bytes, double most_packed);
 
 // Each opens a file of its kind: null where the file is of another, std::exception where it is broken.
 

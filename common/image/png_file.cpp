@@ -136,10 +136,8 @@ class PngReader : public ImageReader {
 
     std::vector<float> read_values() override {
         const std::size_t row = header().channels.size() * static_cast<std::size_t>(header().window.width);
-        // Its compression makes a thousandth of the pixels at most.
-        const double size = static_cast<double>(row) * header().window.height;
-        if (size > 0x1p28 && size > 2e3 * static_cast<double>(file_bytes_))
-            throw std::runtime_error("it is much too short for its pixels");
+        constexpr double most_packed = 2e3;  // deflate makes a thousandth at most
+        check_can_hold(file_bytes_, static_cast<double>(row) * header().window.height, most_packed);
         std::vector<png_byte> bytes(row * static_cast<std::size_t>(header().window.height));
         std::vector<png_bytep> rows;
         for (std::size_t begin = 0; begin < bytes.size(); begin += row) rows.push_back(bytes.data() + begin);

@@ -23,5 +23,8 @@ def cases(references, scenes):
 def relative_rms(program, judge, case, seed, image):
     """Of the image that `program` draws; `judge` is the shlmbench whose diff measures both revisions. Throws MeasurementFailed."""
     _, method, scene, reference = case
+    # Made by the other revision last: neither replaces what it did not make itself, and render writes a PNG beside its EXR.
+    for made in (image, image.with_suffix(".png")):
+        made.unlink(missing_ok=True)
     output_of([program, "render", scene, "--method", method, "--hits", HITS, "--seed", str(seed), *SIZE, "--out", image])
     return json.loads(output_of([judge, "diff", image, reference, "--json"]))["relative_rms"]

@@ -50,6 +50,10 @@ SHLMBENCH = """\
     if sys.argv[1] == "render":
         method, seed, out = (sys.argv[sys.argv.index(option) + 1] for option in ("--method", "--seed", "--out"))
         noise = random.Random(f"{{method}} {{seed}} {{ERROR}}").gauss(0, 0.005)
+        picture = pathlib.Path(out).with_suffix(".png")
+        if picture.exists() and picture.read_text() != sys.argv[0]:
+            sys.exit("shlmbench: --out: is there already and was not made by this command")
+        picture.write_text(sys.argv[0])
         pathlib.Path(out).write_text(str(ERROR * (1 + noise)))
     else:
         print('{{"relative_rms": ' + pathlib.Path(sys.argv[2]).read_text() + "}}")

@@ -12,17 +12,17 @@
 namespace common::gltf {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
 
-using Corners = std::array<Vec3, 3>;
+using CornerPlaces = std::array<Vec3, 3>;
 
-Corners corners_of(const Scene& scene, std::uint32_t triangle) {
+CornerPlaces corners_of(const Scene& scene, std::uint32_t triangle) {
     const auto [a, b, c] = scene.triangle[triangle];
     return {scene.position[a], scene.position[b], scene.position[c]};
 }
 
 /// Whichever corner is the first of each.
-bool are_the_same(const Corners& a, const Corners& b) {
+bool are_the_same(const CornerPlaces& a, const CornerPlaces& b) {
     const auto shifted_by = [&](std::size_t shift) {
         return a[0] == b[shift] && a[1] == b[(shift + 1) % 3] && a[2] == b[(shift + 2) % 3];
     };
@@ -54,15 +54,15 @@ std::vector<std::uint32_t> first_of_the_same(const Scene& scene) {
     const std::vector<std::uint64_t> hashes = hashes_of(scene);
     const auto count = static_cast<std::uint32_t>(hashes.size());
     const std::size_t places = std::bit_ceil(2 * std::size_t{count});
-    std::vector<std::uint32_t> table(places, none), first(count);
+    std::vector<std::uint32_t> table(places, empty), first(count);
     for (std::uint32_t t = 0; t < count; ++t) {
         const auto is_another = [&](std::uint32_t other) {
             return hashes[other] != hashes[t] ||
                    !are_the_same(corners_of(scene, other), corners_of(scene, t));
         };
         std::size_t place = hashes[t] & (places - 1);
-        while (table[place] != none && is_another(table[place])) place = (place + 1) & (places - 1);
-        if (table[place] == none) table[place] = t;
+        while (table[place] != empty && is_another(table[place])) place = (place + 1) & (places - 1);
+        if (table[place] == empty) table[place] = t;
         first[t] = table[place];
     }
     return first;

@@ -11,7 +11,7 @@
 namespace common::gltf {
 namespace {
 
-constexpr std::uint32_t not_yet = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t not_numbered = std::numeric_limits<std::uint32_t>::max();
 
 std::vector<Vec2> pairs(std::span<const float> values) {
     std::vector<Vec2> result(values.size() / 2);
@@ -86,19 +86,19 @@ PrimitiveTriangles TriangleReader::read(const tinygltf::Primitive& primitive) {
 
 std::vector<std::uint32_t> TriangleReader::number_vertices(std::span<TriangleVertices> triangles,
                                                            std::uint32_t vertex_count) {
-    if (number_of_.size() < vertex_count) number_of_.resize(vertex_count, not_yet);
+    if (number_of_.size() < vertex_count) number_of_.resize(vertex_count, not_numbered);
     std::vector<std::uint32_t> vertices;
     for (TriangleVertices& corners : triangles) {
         for (std::uint32_t& corner : corners) {
             std::uint32_t& number = number_of_[corner];
-            if (number == not_yet) {
+            if (number == not_numbered) {
                 number = static_cast<std::uint32_t>(vertices.size());
                 vertices.push_back(corner);
             }
             corner = number;
         }
     }
-    for (const std::uint32_t vertex : vertices) number_of_[vertex] = not_yet;
+    for (const std::uint32_t vertex : vertices) number_of_[vertex] = not_numbered;
     return vertices;
 }
 

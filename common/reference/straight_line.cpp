@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "common/reference/path.h"
 #include "common/reference/specular.h"
 #include "common/scene/coverage.h"
 
@@ -9,9 +10,6 @@ namespace common::reference {
 namespace {
 
 using Imath::V3d;
-
-/// As many as a path may meet.
-constexpr int max_surfaces = 4096;
 
 V3d let_through(const Scene& scene, const SurfaceId& surface, const Vec3& leaving) {
     const auto covered = static_cast<double>(coverage_at(scene, surface));

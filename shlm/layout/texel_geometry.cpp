@@ -53,7 +53,7 @@ Moments moments(const Polygon& polygon) {
 }
 
 /// Sums of one texel while triangles are added.
-struct TexelSums {
+struct GeometrySums {
     double area = 0;
     Imath::V3d center{0, 0, 0};  ///< times area
     Imath::V3d normal{0, 0, 0};  ///< times area
@@ -74,7 +74,7 @@ struct TexelSums {
 
 /// Adds the parts of one triangle, which is of `piece`, to the texels of its region's front.
 void add_triangle(const Scene& scene, std::uint32_t index, std::uint32_t piece, const TriangleTexels& placed,
-                  std::span<TexelSums> texels) {
+                  std::span<GeometrySums> texels) {
     const Point corner(placed.corner), edge_u(placed.edge_u), edge_v(placed.edge_v);
     Polygon triangle;
     triangle.push(corner);
@@ -117,7 +117,7 @@ void add_triangle(const Scene& scene, std::uint32_t index, std::uint32_t piece, 
             const Moments m = moments(clip(clip(row, 0, lower(x), 1), 0, upper(x, placed.width), -1));
             if (m.area == 0) continue;
             const double area = m.area * world_area_per_map_area;
-            TexelSums& sums = texels[static_cast<std::size_t>(y) * placed.width + x];
+            GeometrySums& sums = texels[static_cast<std::size_t>(y) * placed.width + x];
             sums.area += area;
             sums.center += to_world(m.first / m.area) * area;
             sums.normal += Imath::V3d(placed.normal) * area;
@@ -126,7 +126,7 @@ void add_triangle(const Scene& scene, std::uint32_t index, std::uint32_t piece, 
     }
 }
 
-TexelGeometry finished(const TexelSums& sums) {
+TexelGeometry finished(const GeometrySums& sums) {
     if (!(sums.area > 0)) return {};
     const Vec3 normal(sums.normal);
     return {static_cast<float>(sums.area), Vec3(sums.center / sums.area),
@@ -152,7 +152,7 @@ std::vector<TexelGeometry> texel_geometry(const Scene& scene, const TexelLayout&
     std::vector<TexelGeometry> geometry(layout.texel_count());
     tbb::parallel_for(std::size_t{0}, layout.regions().size(), [&](std::size_t i) {
         const TexelRegion& region = layout.regions()[i];
-        std::vector<TexelSums> sums(region.texels_per_face());
+        std::vector<GeometrySums> sums(region.texels_per_face());
         auto triangle = std::lower_bound(triangles.begin(), triangles.end(), region.first_texel,
                                          [&](std::uint32_t t, std::uint32_t first_texel) {
                                              return layout.triangle(t).first_texel < first_texel;

@@ -6,17 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/contenders/row_facts.h"
+#include "bench/setup/median.h"
 
 namespace bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t n = values.size();
-    return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
 
 /// Adds NAME: median and NAME_range: [smallest, largest].
 void add_timing(Json& row, const std::string& name, const std::vector<double>& values) {

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t rows_of_table = 12;
 
-constexpr const char* definition =
+constexpr const char* fit_definition =
     "Errors are relative RMS over the points that the camera sees on a grid of 96 x 54 pixels, three "
     "channels: "
     "the root of mean (I - R)^2 / (R^2 + eps), eps = 0.01 (mean R)^2. noise, blur and truncation are the "
@@ -162,7 +162,7 @@ Json fit_as_json(const FitPlan& plan, const fit::FitGoal& goal, const common::Sc
     context["lights_and_camera"] = fmt::format("{} {} {}", plan.scene.sky, plan.scene.sun, plan.scene.camera);
     const double z = goal.z;
     Json document = {{"context", context},
-                     {"definition", definition},
+                     {"definition", fit_definition},
                      {"scene", std::filesystem::path(plan.file).stem().string()},
                      {"file", scene.source},
                      {"fingerprint", common::fingerprint(scene)},
@@ -227,7 +227,7 @@ std::string fit_as_markdown(const Json& document) {
     const Json& pilot = document["pilot"];
     std::string text =
         fmt::format("# Settings for {}\n\n{}.\n\n{}\n\nAll are measured by {}, whose own blur is {:.3g} %.\n",
-                    document["scene"].get<std::string>(), pilot_text(document), definition,
+                    document["scene"].get<std::string>(), pilot_text(document), fit_definition,
                     pilot["finest"].get<std::string>(), 100 * pilot["finest_blur"].get<double>());
     for (const auto& [key, name] : kinds) {
         const Json& entry = document[key];

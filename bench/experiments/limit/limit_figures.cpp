@@ -6,6 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "bench/setup/median.h"
 #include "bench/setup/provenance.h"
 #include "common/scene/fingerprint.h"
 
@@ -16,12 +17,6 @@ using Json = nlohmann::ordered_json;
 
 const std::vector<double>& of(LimitPart part, const LimitSeconds& seconds) {
     return seconds[static_cast<std::size_t>(part)];
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// All parts have the same rays, so that their rates are to each other as their times are, turned round.

@@ -2,8 +2,9 @@
 
 namespace bench {
 
-Answers answers_in_box(const common::Scene& box, const shlm::PreparedTexels& texels,
-                       const common::HitBatch& hits, double max_radius, float factor, Generator generator) {
+BoxAnswers answers_in_box(const common::Scene& box, const shlm::PreparedTexels& texels,
+                          const common::HitBatch& hits, double max_radius, float factor,
+                          Generator generator) {
     std::vector<common::SurfacePoint> points;
     for (std::uint32_t i = 0; i < 6 * 16; ++i) {
         const float s = uniform(generator), t = uniform(generator);
@@ -30,8 +31,8 @@ std::vector<StabilityCurve> curves_of_differences(std::span<const double> places
     return curves;
 }
 
-void measure_differences(std::span<StabilityCurve> curves, std::size_t point, const Answers& a,
-                         const Answers& b) {
+void measure_differences(std::span<StabilityCurve> curves, std::size_t point, const BoxAnswers& a,
+                         const BoxAnswers& b) {
     for (std::size_t way = 0; way < a.size(); ++way) {
         double different = 0;
         for (std::size_t i = 0; i < a[way].size(); ++i) different += !(a[way][i] == b[way][i]);

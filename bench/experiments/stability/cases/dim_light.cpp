@@ -14,7 +14,7 @@ std::vector<double> powers_of_two(std::span<const int> exponents) {
     return powers;
 }
 
-Answers answers_with_power(float power, const CaseRun& run, std::uint64_t seed) {
+BoxAnswers answers_with_power(float power, const CaseRun& run, std::uint64_t seed) {
     static const shlm::PreparedTexels texels = texels_of(lit_box(0.5f), 600);
     common::Scene scene = lit_box(0.5f);
     scene.point_light[0].intensity *= power;
@@ -29,7 +29,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     const auto shown = curves_of_differences(powers_of_two(beyond), ", beyond", Expected::shown);
     curves.insert(curves.end(), shown.begin(), shown.end());
     run.for_each_seed([&](std::uint64_t seed) {
-        const Answers at_1 = answers_with_power(1, run, seed);
+        const BoxAnswers at_1 = answers_with_power(1, run, seed);
         for (std::size_t i = 0; i < std::size(judged); ++i)
             measure_differences(std::span(curves).first(4), i,
                                 answers_with_power(wrong * std::ldexp(1.0f, judged[i]), run, seed), at_1);

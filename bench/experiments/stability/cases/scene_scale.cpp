@@ -46,7 +46,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
                                   0.4 * (absolute ? 1 : box.scale), std::pow(box.scale, lengths),
                                   Generator(seed));
         };
-        const Answers at_1 = answers_in(unit);
+        const BoxAnswers at_1 = answers_in(unit);
         for (std::size_t i = 0; i < judged_boxes.size(); ++i)
             measure_differences(std::span(curves).first(4), i, answers_in(judged_boxes[i]), at_1);
         for (std::size_t i = 0; i < boxes_beyond.size(); ++i)

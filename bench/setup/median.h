@@ -1,3 +1,4 @@
+// The middle of some values.
 #pragma once
 
 #include <algorithm>

@@ -33,10 +33,12 @@ def read(file, machine):
 
 
 def append(file, record):
-    """One write, so that an interruption leaves no half of a line."""
+    """One write, so that an interruption leaves no half of a line. What failed may name files: below the repository, and not
+    where it lies on this machine."""
     file.parent.mkdir(parents=True, exist_ok=True)
+    repository = json.dumps(f"{file.parents[2]}/")[1:-1]  # results/history/MACHINE.jsonl, as history_file() has it
     with file.open("a", encoding="utf-8") as out:
-        out.write(json.dumps(record) + "\n")
+        out.write(json.dumps(record).replace(repository, "") + "\n")
 
 
 def noise_bands(records):

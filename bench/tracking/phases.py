@@ -42,14 +42,14 @@ def measure_times(programs, names, pairs, bands, rows):
             rows[name] = failed(failure)
 
 
-def measure_errors(programs, cases, folder, rows):
+def measure_errors(programs, cases, rows):
     """rows["SCENE/METHOD"]: relative RMS errors, in the same way. The same seed gives the same image, so their band is 0."""
     for number, case in enumerate(cases, 1):
         name = case[0]
         say(f"error {number}/{len(cases)} {name}")
         try:
             base, head = (
-                [render_errors.relative_rms(program, programs[1], case, seed, folder / "image.exr") for seed in render_errors.SEEDS]
+                [render_errors.relative_rms(program, programs[1], case, seed) for seed in render_errors.SEEDS]
                 for program in programs
             )
             rows[name] = row_of(base, head, len(cases), 0.0, WORSE_OR_BETTER)

@@ -20,11 +20,9 @@ def cases(references, scenes):
     return found
 
 
-def relative_rms(program, judge, case, seed, image):
+def relative_rms(program, judge, case, seed):
     """Of the image that `program` draws; `judge` is the shlmbench whose diff measures both revisions. Throws MeasurementFailed."""
     _, method, scene, reference = case
-    # Made by the other revision last: neither replaces what it did not make itself, and render writes a PNG beside its EXR.
-    for made in (image, image.with_suffix(".png")):
-        made.unlink(missing_ok=True)
+    image = program.parent / "image.exr"  # not where the other's is: render replaces no picture that it did not make itself
     output_of([program, "render", scene, "--method", method, "--hits", HITS, "--seed", str(seed), *SIZE, "--out", image])
     return json.loads(output_of([judge, "diff", image, reference, "--json"]))["relative_rms"]

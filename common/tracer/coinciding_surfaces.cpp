@@ -9,7 +9,7 @@ namespace common {
 namespace {
 
 /// Two triangles in one plane may face apart by as much as rounding tilts narrow ones.
-constexpr float coplanar_cosine = 0.99f;
+constexpr float same_plane_cosine = 0.99f;
 
 bool stops_light(const Scene& scene, const Material& material, const SurfaceId& surface) {
     if (material.kind == SurfaceKind::dielectric || material.kind == SurfaceKind::thin_sheet) return false;
@@ -50,7 +50,7 @@ struct CoincidingSurfaces::Query : EmbreeContext {
 
     void look_at(const SurfaceId& surface) {
         const Scene& scene = *surfaces.scene_;
-        if (std::abs(normal.dot(scene.geometric_normal[surface.triangle])) < coplanar_cosine) return;
+        if (std::abs(normal.dot(scene.geometric_normal[surface.triangle])) < same_plane_cosine) return;
         if (std::abs(normal.dot(position_at(scene, surface) - position)) > tolerance) return;
         const int claim = claim_of(scene, surface, direction);
         if (claim < best_claim || (claim == best_claim && surface.triangle > best.triangle)) return;

@@ -11,16 +11,16 @@
 namespace common {
 namespace {
 
-constexpr float float_pi = std::numbers::pi_v<float>;
+constexpr float pi = std::numbers::pi_v<float>;
 
 // --- power: total flux, W
 
 Rgb power_of(const AreaEmitter& e) {
-    return e.mean_radiance * (float_pi * e.area * (e.both_faces ? 2.0f : 1.0f));
+    return e.mean_radiance * (pi * e.area * (e.both_faces ? 2.0f : 1.0f));
 }
 
 Rgb power_of(const PointEmitter& e) {
-    return e.light.intensity * (e.towards_scene ? 2 * float_pi * e.towards_scene->versine : 4 * float_pi);
+    return e.light.intensity * (e.towards_scene ? 2 * pi * e.towards_scene->versine : 4 * pi);
 }
 
 /// Integral of the glTF falloff, the square of a linear ramp in cos(theta), over the cone.
@@ -31,7 +31,7 @@ Rgb power_of(const SpotEmitter& e) {
     }
     const auto inner = static_cast<float>(e.light.cos_inner_angle),
                outer = static_cast<float>(e.light.cos_outer_angle);
-    return e.light.intensity * (2 * float_pi * ((1 - inner) + (inner - outer) / 3));
+    return e.light.intensity * (2 * pi * ((1 - inner) + (inner - outer) / 3));
 }
 
 Rgb power_of(const DirectionalEmitter& e) {
@@ -40,7 +40,7 @@ Rgb power_of(const DirectionalEmitter& e) {
 
 /// Each point of the box lets pi L through towards the inside.
 Rgb power_of(const SkyEmitter& e) {
-    return e.sky.radiance * (float_pi * e.entry.area());
+    return e.sky.radiance * (pi * e.entry.area());
 }
 
 // --- emission: a photon that carries the emitter's whole power
@@ -72,7 +72,7 @@ EmittedPhoton emit_from(const Scene& scene, const AreaEmitter& e, const Emission
     const float side = from_back ? -1.0f : 1.0f;
     const float emitting_area = e.area * (e.both_faces ? 2.0f : 1.0f);
     return {e.corner + e.edge_u * uv.x + e.edge_v * uv.y, e.frame.to_world(numbers.lobe) * side,
-            e.frame.normal * side, radiance * (float_pi * emitting_area), e.triangle};
+            e.frame.normal * side, radiance * (pi * emitting_area), e.triangle};
 }
 
 EmittedPhoton emit_from(const Scene&, const PointEmitter& e, const EmissionNumbers& numbers, double) {
@@ -91,7 +91,7 @@ EmittedPhoton emit_from_narrow(const SpotLight& light, const EmissionNumbers& nu
     const float versine = numbers.towards[0] * outer;
     const float ramp = versine <= inner ? 1.0f : (outer - versine) / (outer - inner);
     const Vec3 direction = Frame(light.axis).to_world(direction_off_axis(versine, numbers.towards[1]));
-    return {light.position, direction, direction, light.intensity * (ramp * ramp * 2 * float_pi * outer)};
+    return {light.position, direction, direction, light.intensity * (ramp * ramp * 2 * pi * outer)};
 }
 
 /// Uniform over the cone, weighted by the falloff at the sampled angle.
@@ -102,8 +102,7 @@ EmittedPhoton emit_from(const Scene&, const SpotEmitter& e, const EmissionNumber
     const Vec3 local = sample_cone(outer, numbers.towards[0], numbers.towards[1]);
     const float ramp = std::clamp((local.z - outer) / std::max(inner - outer, 1e-6f), 0.0f, 1.0f);
     const Vec3 direction = Frame(e.light.axis).to_world(local);
-    return {e.light.position, direction, direction,
-            e.light.intensity * (ramp * ramp * 2 * float_pi * (1 - outer))};
+    return {e.light.position, direction, direction, e.light.intensity * (ramp * ramp * 2 * pi * (1 - outer))};
 }
 
 /// Starts before the box, as surfaces may lie on its faces.

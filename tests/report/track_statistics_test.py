@@ -128,6 +128,12 @@ class History(unittest.TestCase):
             history.append(self.file, record)
         self.assertEqual(history.read(self.file, self.here), records)
 
+    def test_does_not_say_where_the_repository_lies(self):
+        failed = {"verdict": "failed", "because": f"{self.file.parents[2]}/build/track/image.png is broken"}
+        history.append(self.file, self.record(history.TWO) | {"errors": {"cornell/shlm": failed}})
+        (kept,) = history.read(self.file, self.here)
+        self.assertEqual(kept["errors"]["cornell/shlm"]["because"], "build/track/image.png is broken")
+
     def test_another_machine_is_refused(self):
         history.append(self.file, self.record(history.SAME, a=1.01))
         history.append(self.file, self.record(history.SAME, a=1.01) | {"machine": {**self.here, "name": "another"}})

@@ -1,14 +1,13 @@
-"""Draws a chart for each stability case: stability_charts.py FOLDER, where FOLDER has stability.json.
+"""Draws a chart for each stability case: bench/report stability FOLDER, where FOLDER has stability.json.
 
 Theory is drawn as a line under the measured points, which carry their 95 % confidence.
 """
 
 import json
-import sys
 from pathlib import Path
 
-from study_style import Sheet, plain_axes
-from study_text import machine_text
+from report.sheet import Sheet, plain_axes
+from report.text import machine_text
 
 COLOURS = ("#0b6fb8", "#cf2f2a", "#2f9e6e", "#b08d12", "#7a5ea8", "#202020", "#d6338a", "#8a5a2b")
 MARKERS = "o^sDvPX*"
@@ -61,12 +60,8 @@ def chart(row, context):
     return sheet
 
 
-def main():
-    folder = Path(sys.argv[1])
+def main(arguments):
+    folder = Path(arguments[0])
     document = json.loads((folder / "stability.json").read_text())
     for row in document["rows"]:
         chart(row, document["context"]).save(folder / "charts" / f"{row['name']}.png")
-
-
-if __name__ == "__main__":
-    main()

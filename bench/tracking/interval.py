@@ -11,7 +11,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from study_bootstrap import student_quantile
+from report.study.bootstrap import student_quantile
 
 CONFIDENCE = 0.95  # that all intervals of a table together hold what they estimate
 RESAMPLES = 2000

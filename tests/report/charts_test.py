@@ -6,11 +6,12 @@ import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
-import charts
+from report.compare import charts
 import matplotlib.pyplot as plt
-from comparison import Comparison
+
+from report.compare.comparison import Comparison
 from known_methods import facts_of
 
 LIGHT_MAP, FLANN, GRID = "shlm/L2/radiance/surface4", "photonmap/flann/k50/disc", "photonmap/grid/r0.003/disc"
@@ -50,8 +51,7 @@ class Charts(unittest.TestCase):
         some = [row(LIGHT_MAP, 1000, 1e8), row(FLANN, 1000, 1e6)]
         for rows in (some, some[:1], some[1:], [skipped(GRID, 1000)], some + [row(GRID, 1000, 1e6, "hall"), skipped(LIGHT_MAP, 1000, "hall")]):
             self.comparison(rows)
-            sys.argv = ["charts.py", self.folder.name]
-            charts.main()
+            charts.main([self.folder.name])
             drawn = {file.stem for file in (Path(self.folder.name) / "charts").iterdir()}
             self.assertEqual(drawn, NAMES)
 
@@ -70,7 +70,7 @@ class Charts(unittest.TestCase):
         self.assertEqual(crossing.get_ydata()[0], WALL)
         self.assertIn(WALL, [line.get_ydata()[0] for line in axes.get_lines() if line.get_label() == "--max-memory"])
         texts = {text.get_text() for text in axes.texts}
-        self.assertLessEqual({"\u2248 74.5 GiB", "114 MiB", "the wall: 18.6 GiB"}, texts)  # extrapolated, measured, the wall
+        self.assertLessEqual({"\u2248 74.5\u00a0GiB", "114\u00a0MiB", "the wall: 18.6\u00a0GiB"}, texts)  # extrapolated, measured, the wall
 
     def test_labels_do_not_cover_each_other(self):
         axes = self.wall_axes([row(f"photonmap/{engine}/k50/disc", 10**8, 8e9) for engine in ("flann", "nanoflann", "compact")])

@@ -6,16 +6,23 @@ import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
-from baselines import GATHER_US, MAP_SECONDS, answers_as_the_reference, strongest
-from billion_hits import billion_hits
-from claims import constant_gather, constant_insert, constant_memory, faster_gather, tracing_speed, verdict_by_spread
-from comparison import INCREMENTAL, LIGHT_MAP, PAPER_LIGHT_MAP, PHOTON_MAP, Comparison
-from memory_wall import growth, wall_bytes
-from report import images
-from study_claims import converges, crossing_words, normal_maps
-from study_methods import REFERENCE_LIGHT_MAP, TRADITIONAL_LIGHT_MAP
+from report.claims.billion_hits import billion_hits
+from report.claims.claims import (
+    constant_gather,
+    constant_insert,
+    constant_memory,
+    faster_gather,
+    tracing_speed,
+    verdict_by_spread,
+)
+from report.claims.report import images
+from report.claims.study_claims import converges, crossing_words, normal_maps
+from report.compare.baselines import GATHER_US, MAP_SECONDS, answers_as_the_reference, strongest
+from report.compare.comparison import INCREMENTAL, LIGHT_MAP, PAPER_LIGHT_MAP, PHOTON_MAP, Comparison
+from report.compare.memory_wall import growth, wall_bytes
+from report.study.methods import REFERENCE_LIGHT_MAP, TRADITIONAL_LIGHT_MAP
 from known_methods import facts_of
 
 TEXELS = 1000
@@ -197,9 +204,9 @@ class ABillion(unittest.TestCase):
     def test_billion_hits(self):
         found = billion_hits(comparison(self.rows() + self.photons(INCREMENTAL, 136) + self.photons(COMPACT, 24)))
         self.assertEqual((found.verdict, found.incremental, found.strongest), ("confirmed", "confirmed", "confirmed"))
-        self.assertIn("at its fullest 128 MiB", found.measured)
-        self.assertIn("at 1e7 hits 128 MiB", found.measured)
-        self.assertIn("at 894 M hits, a billion would take 22.4 GiB", found.measured)
+        self.assertIn("at its fullest 128\u00a0MiB", found.measured)
+        self.assertIn("at 1e7 hits 128\u00a0MiB", found.measured)
+        self.assertIn("at 894 M hits, a billion would take 22.4\u00a0GiB", found.measured)
         self.assertEqual(billion_hits(comparison(self.rows() + self.photons(COMPACT, 20))).strongest, "no difference: it fits as well")
         alone = billion_hits(comparison(self.rows()))
         self.assertEqual((alone.verdict, alone.incremental, alone.strongest), ("confirmed", "not measured", "not measured"))
@@ -227,7 +234,7 @@ class ABillion(unittest.TestCase):
 
     def test_the_peak_is_held_to_its_bound(self):
         rows = self.rows()
-        self.assertIn("within the bound of 134 MiB", constant_memory(comparison(rows)).measured)
+        self.assertIn("within the bound of 134\u00a0MiB", constant_memory(comparison(rows)).measured)
         rows[-1]["peak_growth_bytes"] = 2**28
         self.assertIn("past the bound", constant_memory(comparison(rows)).measured)
 

@@ -13,15 +13,15 @@ from unittest import mock
 import numpy as np
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
-import elsewhere
-import elsewhere_run
-from elsewhere_bounds import bounds_of, verdict_of
-from elsewhere_figures import MISSED, PASSED, UNDECIDED, figures
-from elsewhere_record import full_names
-from elsewhere_scenes import find_scenes
-from study_data import EPSILON_SHARE, Scene, StudyError
+from report.elsewhere import report as elsewhere
+from report.elsewhere import run as elsewhere_run
+from report.elsewhere.bounds import bounds_of, verdict_of
+from report.elsewhere.figures import MISSED, PASSED, UNDECIDED, figures
+from report.elsewhere.record import full_names
+from report.elsewhere.scenes import find_scenes
+from report.study.data import EPSILON_SHARE, Scene, StudyError
 from study_laws import Folder
 
 WIDTH, HEIGHT = 96, 54
@@ -224,9 +224,9 @@ class Runs(Folder):
     def run_elsewhere(self, *more):
         """(exit code, stdout, stderr)"""
         out, errors = io.StringIO(), io.StringIO()
-        arguments = ["elsewhere.py", str(FAKE), str(self.scenes), str(self.out), "--methods", METHODS, *more]
-        with mock.patch.object(sys, "argv", arguments), contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
-            code = elsewhere.main()
+        arguments = [str(FAKE), str(self.scenes), str(self.out), "--methods", METHODS, *more]
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
+            code = elsewhere.main(arguments)
         return code, out.getvalue(), errors.getvalue()
 
     def report(self):

@@ -8,10 +8,10 @@ import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
-import fit_truth
-from study_data import Study, StudyError
+from report.fit import truth as fit_truth
+from report.study.data import Study, StudyError
 from synthetic_study import Law, Plan, write_study
 
 FINE, COARSE, BLURRED = "shlm/L4/radiance/own/t4096/h0", "shlm/L4/radiance/own/t1024/h0", "photonmap/compact/r0.1/disc"

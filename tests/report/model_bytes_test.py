@@ -6,11 +6,11 @@ import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
 from known_methods import facts_of
-from model_bytes import ADAPTIVE, PHOTON_MAP, bytes_for, front, kind_of, table
-from study_methods import method_of
+from report.fit.model_bytes import ADAPTIVE, PHOTON_MAP, bytes_for, front, kind_of, table
+from report.study.methods import method_of
 
 
 def method_named(name):

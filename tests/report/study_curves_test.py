@@ -8,11 +8,11 @@ from dataclasses import replace
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
 import numpy as np
-from study_bootstrap import CONFIDENCE
-from study_crossings import (
+from report.study.bootstrap import CONFIDENCE
+from report.study.crossings import (
     NOT_COMPARABLE,
     intervals_below_zero,
     more_accurate_at_equal,
@@ -20,10 +20,10 @@ from study_crossings import (
     single_crossings,
     smaller_at_equal_hits,
 )
-from study_curves import Curve, curves_of
-from study_data import Study
-from study_front import pareto_front
-from study_groups import groups
+from report.study.curves import Curve, curves_of
+from report.study.data import Study
+from report.study.front import pareto_front
+from report.study.groups import groups
 from study_laws import (
     FOUR_METHODS,
     PHOTONS,
@@ -39,9 +39,9 @@ from study_laws import (
     radius_law,
     z_for,
 )
-from study_methods import FIXED_K, FIXED_RADIUS, GROWING_K, LIGHT_MAP, OTHER, method_of
-from study_slopes import slope_finding
-from study_targets import AT_FIRST, BEYOND, NEVER, REACHED, bytes_to_reach, time_to_reach, winners
+from report.study.methods import FIXED_K, FIXED_RADIUS, GROWING_K, LIGHT_MAP, OTHER, method_of
+from report.study.slopes import slope_finding
+from report.study.targets import AT_FIRST, BEYOND, NEVER, REACHED, bytes_to_reach, time_to_reach, winners
 from synthetic_study import Law, Plan, write_study
 from known_methods import facts_of
 

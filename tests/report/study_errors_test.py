@@ -6,11 +6,11 @@ import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
 import numpy as np
-from study_bootstrap import CONFIDENCE, band, count_variance, counts, student_quantile
-from study_errors import mean_products, reference_deviation, split
+from report.study.bootstrap import CONFIDENCE, band, count_variance, counts, student_quantile
+from report.study.errors import mean_products, reference_deviation, split
 from study_laws import SIGNIFICANCE, least_successes, z_for
 
 

@@ -7,11 +7,11 @@ from pathlib import Path
 from statistics import NormalDist
 
 import numpy as np
-from study_bootstrap import counts
-from study_curves import Curve, Point
-from study_data import Run
-from study_errors import ErrorSplit
-from study_methods import method_of
+from report.study.bootstrap import counts
+from report.study.curves import Curve, Point
+from report.study.data import Run
+from report.study.errors import ErrorSplit
+from report.study.methods import method_of
 from synthetic_study import Law
 from known_methods import facts_of
 

@@ -9,12 +9,12 @@ import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
-import study_report
-from study_curves import curves_of
-from study_data import Study, StudyError
-from study_images import same_bytes, same_time
+from report.study import report as study_report
+from report.study.curves import curves_of
+from report.study.data import Study, StudyError
+from report.study.images import same_bytes, same_time
 from study_laws import (
     FOUR_METHODS,
     PHOTONS,
@@ -32,14 +32,10 @@ from known_methods import facts_of
 
 class Reports(Folder):
     def report(self):
-        """(exit code, stdout, stderr) of study_report.py on the folder."""
+        """(exit code, stdout, stderr) of `bench/report study` on the folder."""
         out, errors = io.StringIO(), io.StringIO()
-        arguments, sys.argv = sys.argv, ["study_report.py", str(self.folder)]
-        try:
-            with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
-                code = study_report.main()
-        finally:
-            sys.argv = arguments
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
+            code = study_report.main([str(self.folder)])
         return code, out.getvalue(), errors.getvalue()
 
     def test_whole_report(self):

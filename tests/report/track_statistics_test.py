@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 BENCH = Path(__file__).resolve().parents[2] / "bench"
-sys.path[:0] = [str(BENCH / "tracking"), str(BENCH / "report")]
+sys.path[:0] = [str(BENCH / "tracking"), str(BENCH)]
 
 import history
 import instructions

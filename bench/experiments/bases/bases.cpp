@@ -8,7 +8,7 @@
 #include "bench/setup/ending.h"
 #include "bench/setup/numbers.h"
 #include "bench/setup/output_folder.h"
-#include "bench/setup/python.h"
+#include "bench/setup/report.h"
 #include "bench/setup/run_options.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
@@ -58,7 +58,7 @@ void run(const BasesOptions& options) {
     write_text(folder / "bases.json",
                bases_as_json(figures, measure_tilt_curve(), options.seed).dump(1) + "\n");
     write_text(folder / "bases.md", bases_as_markdown(figures, options.seed));
-    if (!run_python("bench/report/bases_chart.py", folder))
+    if (!write_report("bases", folder))
         common::say("bases: the charts could not be drawn; the table is complete");
     common::print_result(fmt::format("{}\n{}\n", bases_as_text(figures), (folder / "bases.json").string()));
 }

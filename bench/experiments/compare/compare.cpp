@@ -9,7 +9,7 @@
 #include "bench/setup/command.h"
 #include "bench/setup/ending.h"
 #include "bench/setup/output_folder.h"
-#include "bench/setup/python.h"
+#include "bench/setup/report.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/output_lock.h"
@@ -119,7 +119,7 @@ void run(const CompareOptions& options) {
                                               table.rows().size(), (plan.out / "compare.json").string()));
         common::print_result(rows_as_text(table.rows()));
         common::print_result(fmt::format("\n{}\n", (plan.out / "compare.json").string()));
-        if (!run_python("bench/report/charts.py", plan.out))
+        if (!write_report("compare", plan.out))
             throw std::runtime_error("compare: the charts could not be drawn; the table is complete");
     });
 }

@@ -12,7 +12,7 @@ namespace bench {
 [[nodiscard]] nlohmann::ordered_json explanation_as_json(const fit::Explanation& explanation,
                                                          const common::Scene& scene);
 
-/// All pixels, as bench/report/explanation_chart.py reads them.
+/// All pixels, as bench/report/fit/explanation_chart.py reads them.
 [[nodiscard]] nlohmann::ordered_json picture_as_json(const fit::Explanation& explanation,
                                                      const nlohmann::ordered_json& fit);
 

@@ -8,7 +8,7 @@
 #include "bench/experiments/fit/fit_table.h"
 #include "bench/setup/command.h"
 #include "bench/setup/output_folder.h"
-#include "bench/setup/python.h"
+#include "bench/setup/report.h"
 #include "common/core/input_error.h"
 #include "common/core/output_lock.h"
 #include "common/core/standard_streams.h"
@@ -67,7 +67,7 @@ void write(const std::filesystem::path& folder, const FitDocuments& documents) {
     write_text(folder / "models.json", as_text(documents.models, -1));
     if (documents.picture.is_null()) return;
     write_text(folder / "explanation.json", as_text(documents.picture, -1));
-    if (!run_python("bench/report/explanation_chart.py", folder))
+    if (!write_report("explanation", folder))
         throw common::InputError("fit: the picture of --explain could not be drawn");
 }
 

@@ -10,7 +10,7 @@
 #include "bench/setup/ending.h"
 #include "bench/setup/output_folder.h"
 #include "bench/setup/provenance.h"
-#include "bench/setup/python.h"
+#include "bench/setup/report.h"
 #include "bench/setup/run_options.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
@@ -129,7 +129,7 @@ void run(const StabilityOptions& options) {
     }
     common::print_result(
         fmt::format("{}\n{}\n", cases_as_text(table.rows()), (folder / "stability.md").string()));
-    if (!run_python("bench/report/stability_charts.py", folder))
+    if (!write_report("stability", folder))
         common::say("stability: the charts could not be drawn; the table is complete");
     if (failed > 0) throw BoundExceeded(fmt::format("stability: {} cases are not as predicted", failed));
 }

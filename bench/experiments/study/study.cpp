@@ -10,7 +10,7 @@
 #include "bench/experiments/study/study_table.h"
 #include "bench/setup/command.h"
 #include "bench/setup/ending.h"
-#include "bench/setup/python.h"
+#include "bench/setup/report.h"
 #include "common/core/input_error.h"
 #include "common/core/output_lock.h"
 #include "common/core/standard_streams.h"
@@ -94,7 +94,7 @@ void run(const StudyOptions& options) {
                     throw Interrupted(fmt::format("study stopped: {} finished rows are in {}",
                                                   table.row_count(), table.file().string()));
         for (const std::filesystem::path& file : plan.files) compare_with_reference(plan, file, table);
-        if (!run_python("bench/report/study_report.py", plan.out))
+        if (!write_report("study", plan.out))
             throw std::runtime_error("study: the report could not be written; the table is complete");
         common::print_result(fmt::format("{}: {} rows\n", table.file().string(), table.row_count()));
     });

@@ -1,0 +1,147 @@
+"""The paper's claims about accuracy, held against a study's summary.json."""
+
+import math
+
+from report.claims.finding import Finding, not_measured
+from report.study.methods import REFERENCE_LIGHT_MAP, REFERENCE_PHOTON_MAP, TRADITIONAL_LIGHT_MAP
+
+NORMAL_MAPS = ("normal-maps", "The map lights normal-mapped surfaces")
+CONVERGES = ("converges", "Accumulation can go on indefinitely, to maximum convergence")
+
+SLOPE_TOLERANCE = 0.1  # from -1, for noise that falls as 1 / hits
+CLEARLY_BETTER = 4.0  # in bias^2: half of the relative bias
+TILTED = 20.0  # degrees between shading and geometric normal from which on a surface counts as tilted
+ORDERS = ("shlm/L1/radiance/surface4", "shlm/L4/radiance/surface4")
+
+
+def percent(square):
+    """Of the root of a squared relative error."""
+    return f"{100 * math.sqrt(max(square, 0.0)):.2g} %"
+
+
+def count(value):
+    return f"{value:.2g}"
+
+
+def default_texels(summary):
+    settings = dict(part.split("=") for part in summary["context"]["settings"].split())
+    return int(settings["texels"].split(",")[-1])
+
+
+def largest(points):
+    return max(points, key=lambda p: p["hits"])
+
+
+# --- converges
+
+
+def own_hits(light_map):
+    """Its blocks of texels shrink with the hits until texels show their own: this one's always do."""
+    return light_map + "/h0"
+
+
+def variance_slope(scene, light_map):
+    for method in (own_hits(light_map), light_map):
+        if slope := scene["slopes"].get(method, {}).get("variance"):
+            return slope["value"]
+    return None
+
+
+def floor_words(name, scene, light_map, texels):
+    """What the error comes down to, and from how many hits per texel on more of them are in vain."""
+    last = largest(scene["methods"][light_map])
+    text = f"{name}: variance ~ hits^{variance_slope(scene, light_map):.2f}, error {percent(last['error'])} at {count(last['hits'])} hits"
+    if last["bias_sq"] > 0 and last["bias_sq_band"] and last["bias_sq_band"][0] > 0:
+        hits = last["hits"] * last["variance"] / last["bias_sq"]
+        text += f", floor {percent(last['bias_sq'])}, where the noise is at {count(hits / texels)} hits per texel"
+    return text
+
+
+def converges(summary, light_map=REFERENCE_LIGHT_MAP):
+    scenes = {
+        name: scene
+        for name, scene in summary["scenes"].items()
+        if light_map in scene["methods"] and variance_slope(scene, light_map) is not None
+    }
+    if not scenes:
+        return not_measured(*CONVERGES)
+    texels = default_texels(summary)
+    noise_falls = all(abs(variance_slope(s, light_map) + 1) < SLOPE_TOLERANCE for s in scenes.values())
+    last = [largest(s["methods"][light_map]) for s in scenes.values()]
+    has_floor = any(p["bias_sq_band"] and p["bias_sq_band"][0] > 0 for p in last)
+    verdict = "refuted" if not noise_falls else "conditional" if has_floor else "confirmed"
+    floor = f"The noise falls as 1 / hits (its slope within {SLOPE_TOLERANCE:g} of -1) over all sizes measured; what stays is the texels' blur and the truncated series, which more hits do not lower. "
+    return Finding(
+        *CONVERGES,
+        verdict,
+        (floor if verdict == "conditional" else "")
+        + "; ".join(floor_words(name, scene, light_map, texels) for name, scene in scenes.items())
+        + f" ({light_map}, {texels} texels; slopes of {own_hits(light_map)} where it was measured).",
+    )
+
+
+# --- normal maps
+
+
+def tilted_bias(points):
+    """(squared relative bias, upper end of its band, points) of the largest run, over the points with tilted normals."""
+    bins = [b for b in largest(points)["tilt"] if b["degrees"][0] >= TILTED]
+    total = sum(b["points"] for b in bins)
+    if not total or any(b["bias_sq_band"] is None for b in bins):
+        return None
+    value = sum(b["bias_sq"] * b["points"] for b in bins) / total
+    return value, sum(b["bias_sq_band"][1] * b["points"] for b in bins) / total, total
+
+
+def bias_words(points):
+    """A bias that is lost in the noise has an upper bound only."""
+    value, high, _ = tilted_bias(points)
+    return percent(value) if value > high / 4 else f"at most {percent(high)}"
+
+
+def normal_maps(summary, light_map=REFERENCE_LIGHT_MAP):
+    for name, scene in summary["scenes"].items():
+        methods = scene["methods"]
+        if any(m not in methods or not tilted_bias(methods[m]) for m in (light_map, TRADITIONAL_LIGHT_MAP)):
+            continue
+        (mine, most, points), (flat, _, _) = (tilted_bias(methods[m]) for m in (light_map, TRADITIONAL_LIGHT_MAP))
+        measured = [(m, methods[m]) for m in (light_map, *ORDERS, REFERENCE_PHOTON_MAP) if m in methods and tilted_bias(methods[m])]
+        return Finding(
+            *NORMAL_MAPS,
+            "confirmed" if most < flat / CLEARLY_BETTER else "refuted" if mine >= flat else "conditional",
+            f"{name}, {points} points whose normal is bent by {TILTED:.0f} degrees and more, "
+            f"{count(largest(methods[light_map])['hits'])} hits: relative RMS bias "
+            + ", ".join(f"{m} {bias_words(points)}" for m, points in measured)
+            + f"; a traditional light map, which knows one normal, {percent(flat)} (confirmed: the light map's band is below half of that).",
+        )
+    return not_measured(*NORMAL_MAPS)
+
+
+# --- smaller, and more accurate
+
+
+def crossing_words(less, texels):
+    """In hits of the light map and hits per texel."""
+    if not less or not less["range"]:
+        return "not comparable"
+    if not less["intervals"]:
+        return f"nowhere up to {count(less['range'][1])}"
+    if less["crossing"]:
+        open_end = less["intervals"][0][1] is None
+        side = "from" if open_end else "up to"
+        return f"{side} {count(less['crossing'])} hits ({count(less['crossing'] / texels)} per texel)"
+    return "everywhere" if less["intervals"] == [[None, None]] else "in several ranges"
+
+
+def accuracy_crossings(summary):
+    """Where the light map is smaller, and more accurate at equal hits, than the photon map with k = 50."""
+    texels = default_texels(summary)
+    words = []
+    for name, scene in summary["scenes"].items():
+        crossing = scene["more_accurate_than"].get(REFERENCE_PHOTON_MAP)
+        if crossing:
+            words.append(
+                f"{name}: smaller {crossing_words(scene['smaller_than_reference_photon_map'], texels)}, "
+                f"more accurate {crossing_words(crossing['hits'], texels)}"
+            )
+    return f"Against k = 50, {REFERENCE_LIGHT_MAP} is at equal hits " + "; ".join(words) + "." if words else ""

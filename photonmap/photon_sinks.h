@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/point_index/flann_index.h"
+#include "common/tracer/rejected_hits.h"
 #include "photonmap/index/grid_index.h"
 #include "photonmap/index/nanoflann_index.h"
 #include "photonmap/packed_storage.h"

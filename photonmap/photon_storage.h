@@ -5,6 +5,7 @@
 
 #include "common/core/stable_array.h"
 #include "common/estimator/irradiance_estimator.h"
+#include "common/tracer/rejected_hits.h"
 #include "photonmap/photon.h"
 
 namespace photonmap {

@@ -21,6 +21,7 @@
 #include "common/core/standard_streams.h"
 #include "common/core/threads.h"
 #include "common/gltf/source_files.h"
+#include "common/tracer/rejected_hits.h"
 
 namespace bench {
 namespace {

@@ -13,6 +13,7 @@
 #include "bench/setup/command.h"
 #include "bench/setup/commit.h"
 #include "bench/setup/ending.h"
+#include "bench/setup/numbers.h"
 #include "bench/setup/run_options.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"

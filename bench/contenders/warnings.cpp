@@ -6,6 +6,7 @@
 
 #include "common/core/standard_streams.h"
 #include "common/gltf/warnings.h"
+#include "common/tracer/rejected_hits.h"
 
 namespace bench {
 namespace {
@@ -97,7 +98,7 @@ std::vector<std::string> run_trouble(const common::TraceReport& trace, const com
                                        percent(hits, trace.hits), reason);
         };
         add(rejected.back_of_single_sided, "fell on the backs of single-sided surfaces");
-        add(rejected.without_lightmap_uv, "on surfaces without texels");
+        add(rejected.without_texel, "on surfaces without texels");
         add(rejected.outside_texels, "beside all texels");
         add(rejected.not_finite, "are not finite");
         lines.push_back(fmt::format("{:.3g} % of the hits are rejected: {}",

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/contenders/contender.h"
-#include "common/estimator/irradiance_estimator.h"
+#include "common/tracer/rejected_hits.h"
 #include "common/tracer/trace_report.h"
 
 namespace bench {

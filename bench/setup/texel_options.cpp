@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "bench/setup/command.h"
+#include "bench/setup/numbers.h"
 #include "bench/setup/scene_options.h"
 #include "common/core/input_error.h"
 

@@ -18,26 +18,6 @@ concept IrradianceEstimator = requires(const M& map, const SurfacePoint& point) 
     { map.bytes() } -> std::same_as<std::size_t>;
 };
 
-/// Hits that a store could not take, by reason. Hits of a run = stored + rejected.
-struct RejectedHits {
-    std::uint64_t not_finite = 0;            ///< position, direction or flux is NaN or infinite
-    std::uint64_t without_lightmap_uv = 0;   ///< the surface has no lightmap coordinates
-    std::uint64_t back_of_single_sided = 0;  ///< on the back of a surface whose material shows its front only
-    std::uint64_t outside_texels = 0;        ///< rounding put it on a texel that no triangle covers
-
-    [[nodiscard]] std::uint64_t total() const {
-        return not_finite + without_lightmap_uv + back_of_single_sided + outside_texels;
-    }
-
-    RejectedHits& operator+=(const RejectedHits& other) {
-        not_finite += other.not_finite;
-        without_lightmap_uv += other.without_lightmap_uv;
-        back_of_single_sided += other.back_of_single_sided;
-        outside_texels += other.outside_texels;
-        return *this;
-    }
-};
-
 /// Smallest cosine of incidence that a hit is divided by. A hit of flux F on area a is F / a on the surface,
 /// and F / (a cos theta) on a plane that faces the light; the clamp keeps grazing hits from outweighing all
 /// others and darkens uniform light by half its value.

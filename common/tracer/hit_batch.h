@@ -2,11 +2,14 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "common/estimator/irradiance_estimator.h"
 #include "common/scene/surface_point.h"
+#include "common/tracer/rejected_hits.h"
 
 namespace common {
 
@@ -88,11 +91,12 @@ concept UnorderedSink = PhotonSink<S> && requires(S& sink, const HitBatch& batch
 };
 
 /// A sink that becomes a map which can be asked for irradiance. `watts_per_flux` turns HitBatch::flux into W;
-/// `bytes` is what it holds while it takes hits.
+/// `bytes` is what it holds while it takes hits, `rejected` what it could not take.
 template <class S>
-concept MapSink = PhotonSink<S> && requires(S sink, float watts_per_flux) {
-    std::move(sink).finish(watts_per_flux);
-    { sink.bytes() } -> std::same_as<std::size_t>;
+concept MapSink = PhotonSink<S> && requires(S sink, const S& filled, float watts_per_flux) {
+    { std::move(sink).finish(watts_per_flux) } -> IrradianceEstimator;
+    { filled.bytes() } -> std::same_as<std::size_t>;
+    { filled.rejected() } -> std::convertible_to<RejectedHits>;
 };
 
 }  // namespace common

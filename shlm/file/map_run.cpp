@@ -31,7 +31,7 @@ void for_each_number(Run& run, Visit visit) {
     visit("photons_given_up", run.fates.given_up);
     visit("hits", run.hits);
     visit("hits_not_finite", run.rejected.not_finite);
-    visit("hits_without_lightmap_uv", run.rejected.without_lightmap_uv);
+    visit("hits_without_lightmap_uv", run.rejected.without_texel);
     visit("hits_on_back_of_single_sided", run.rejected.back_of_single_sided);
     visit("clamped_light_flux", run.clamped.flux);
     visit("clamped_light_discarded", run.clamped.discarded);

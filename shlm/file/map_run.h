@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "common/tracer/rejected_hits.h"
 #include "common/tracer/trace_photons.h"
 #include "shlm/sums/clamped_light.h"
 

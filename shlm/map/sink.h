@@ -1,6 +1,7 @@
 // The sink that becomes a light map.
 #pragma once
 
+#include "common/tracer/rejected_hits.h"
 #include "shlm/map/light_map.h"
 #include "shlm/sums/accumulator.h"
 

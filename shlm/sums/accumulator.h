@@ -8,6 +8,7 @@
 #include <bitset>
 #include <memory>
 
+#include "common/tracer/rejected_hits.h"
 #include "shlm/basis/weight.h"
 #include "shlm/sums/deposit_sorter.h"
 #include "shlm/sums/texel_sums.h"

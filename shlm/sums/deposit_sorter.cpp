@@ -29,7 +29,7 @@ void DepositSorter::find_texels(const HitBatch& hits) {
         if (!common::is_finite(hits, i)) {
             ++rejected_.not_finite;
         } else if (triangle.width == 0) {
-            ++rejected_.without_lightmap_uv;
+            ++rejected_.without_texel;
         } else if (cosine < 0 && !triangle.both_faces) {
             ++rejected_.back_of_single_sided;
         } else {

@@ -12,9 +12,7 @@
 namespace {
 
 using namespace tests;
-using bench::Environment;
-using bench::LightKind;
-using bench::OneTexel;
+using namespace bench::bases;
 using common::Vec3;
 using shlm::ShWeight;
 using shlm::TexelModel;
@@ -22,7 +20,7 @@ using Words = std::vector<std::string>;
 
 double surface_irradiance(const Environment& environment) {
     double sum = 0;
-    for (const bench::Arrival& arrival : environment) sum += arrival.irradiance;
+    for (const Arrival& arrival : environment) sum += arrival.irradiance;
     return sum;
 }
 
@@ -32,7 +30,7 @@ TEST(Directions, ShareTheCapEvenly) {
     for (const double least : {0.0, 0.5}) {
         Imath::V3d sum(0, 0, 0);
         double sum_zz = 0, sum_xx = 0, sum_xy = 0;
-        const auto directions = bench::directions_in_cap(2000, least);
+        const auto directions = directions_in_cap(2000, least);
         for (const Vec3& d : directions) {
             EXPECT_NEAR(d.length(), 1, 1e-6);
             EXPECT_GT(d.z, least);
@@ -56,7 +54,7 @@ TEST(Environments, PointLightsHaveTheWholeRangeWhateverTheSeed) {
     const double horizon = std::sin(10 * pi / 180);
     for (const std::uint64_t seed : {1, 2})
         for (std::uint32_t i = 0; i < 50; ++i) {
-            const Environment light = bench::make_environment(LightKind::point, i, 50, seed);
+            const Environment light = make_environment(LightKind::point, i, 50, seed);
             ASSERT_EQ(light.size(), 1u);
             EXPECT_NEAR(light[0].towards_light.length(), 1, 1e-6);
             EXPECT_GE(light[0].towards_light.z, horizon + (1 - horizon) * i / 50 - 1e-6);
@@ -68,10 +66,10 @@ TEST(Environments, PointLightsHaveTheWholeRangeWhateverTheSeed) {
 TEST(Environments, RoomsAreLobesOverAFloor) {
     const double least = common::min_incident_cosine;
     for (std::uint32_t i = 0; i < 20; ++i) {
-        const Environment room = bench::make_environment(LightKind::room, i, 20, 1);
-        const double share = bench::cap_solid_angle(least) / static_cast<double>(room.size());
+        const Environment room = make_environment(LightKind::room, i, 20, 1);
+        const double share = cap_solid_angle(least) / static_cast<double>(room.size());
         double darkest = 1e30, brightest = 0;
-        for (const bench::Arrival& arrival : room) {
+        for (const Arrival& arrival : room) {
             const double radiance = arrival.irradiance / (arrival.towards_light.z * share);
             darkest = std::min(darkest, radiance);
             brightest = std::max(brightest, radiance);
@@ -90,9 +88,8 @@ TEST(Environments, RoomsHaveTheRadianceOfSixLobesOnAverage) {
     const double expected = 0.1 + 6 * 0.5 * (std::log(32.0 / 33) - std::log(2.0 / 3)) / std::log(16.0);
     tests::Sample radiance;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Environment room = bench::make_environment(LightKind::room, i, count, 1);
-        const double share =
-            bench::cap_solid_angle(common::min_incident_cosine) / static_cast<double>(room.size());
+        const Environment room = make_environment(LightKind::room, i, count, 1);
+        const double share = cap_solid_angle(common::min_incident_cosine) / static_cast<double>(room.size());
         radiance.add(room.back().irradiance / (room.back().towards_light.z * share));
     }
     EXPECT_NEAR(radiance.mean(), expected, tests::z_for(1e-4) * radiance.standard_error());
@@ -101,20 +98,20 @@ TEST(Environments, RoomsHaveTheRadianceOfSixLobesOnAverage) {
 TEST(Environments, AreTheSameForTheSameSeedAlone) {
     for (const LightKind kind : {LightKind::point, LightKind::room}) {
         const auto irradiance = [&](std::uint32_t index, std::uint64_t seed) {
-            return surface_irradiance(bench::make_environment(kind, index, 9, seed));
+            return surface_irradiance(make_environment(kind, index, 9, seed));
         };
         EXPECT_EQ(irradiance(3, 1), irradiance(3, 1));
         EXPECT_NE(irradiance(3, 1), irradiance(3, 2));
         EXPECT_NE(irradiance(3, 1), irradiance(4, 1));
     }
-    EXPECT_EQ(bench::environment_count(LightKind::uniform, 9), 1u);
-    EXPECT_EQ(bench::environment_count(LightKind::room, 9), 9u);
+    EXPECT_EQ(environment_count(LightKind::uniform, 9), 1u);
+    EXPECT_EQ(environment_count(LightKind::room, 9), 9u);
 }
 
 TEST(BasisError, TruthOfUniformLightIsTheViewFactor) {
-    const Environment uniform = bench::make_environment(LightKind::uniform, 0, 1, 1);
+    const Environment uniform = make_environment(LightKind::uniform, 0, 1, 1);
     const std::vector<Vec3> normals = {direction_in_xz(0), direction_in_xz(30), direction_in_xz(-60)};
-    const std::vector<double> truth = bench::true_irradiance(uniform, normals);
+    const std::vector<double> truth = true_irradiance(uniform, normals);
     // Light below the clamp of the cosine is left out: no more than a belt of that height at full cosine.
     const double left_out = 2 * pi * common::min_incident_cosine;
     EXPECT_NEAR(truth[0], pi, left_out);
@@ -124,11 +121,11 @@ TEST(BasisError, TruthOfUniformLightIsTheViewFactor) {
 
 TEST(BasisError, IsRootMeanSquareOverMeanOfTheTruth) {
     const std::vector<double> truth = {1, 2, 3}, answers = {1, 4, 2};
-    EXPECT_NEAR(bench::relative_rms_percent(answers, truth), 100 * std::sqrt(5.0 / 3) / 2, 1e-9);
+    EXPECT_NEAR(relative_rms_percent(answers, truth), 100 * std::sqrt(5.0 / 3) / 2, 1e-9);
 }
 
 TEST(BasisError, NormalsFillTheCapOf60Degrees) {
-    const std::vector<Vec3> normals = bench::tilted_normals();
+    const std::vector<Vec3> normals = tilted_normals();
     ASSERT_EQ(normals.size(), 300u);
     double least = 1;
     for (const Vec3& normal : normals) least = std::min(least, double{normal.z});
@@ -154,8 +151,8 @@ void expect_truncated_kernel() {
     for (const double light : {0.0, 40.0, 80.0})
         for (const double tilt : {-60.0, -20.0, 0.0, 40.0, 60.0}) {
             const std::vector<Vec3> normal = {direction_in_xz(tilt)};
-            const auto answers = bench::ask<TexelModel<Order, ShWeight::radiance>>(
-                texel, texel.photons_of(one_light(light)), normal);
+            const auto answers =
+                ask<TexelModel<Order, ShWeight::radiance>>(texel, texel.photons_of(one_light(light)), normal);
             const double expected = truncated_kernel(Order, std::cos((tilt - light) * pi / 180));
             EXPECT_NEAR(answers.series[0], expected, 2e-6) << light << " " << tilt << ", order " << Order;
             EXPECT_NEAR(answers.answered[0], std::max(0.0, expected), 2e-6);
@@ -172,7 +169,7 @@ TEST(Bases, OneLightGivesTheTruncatedKernel) {
 TEST(Bases, NumbersAndBytesAreThoseOfTheStore) {
     std::vector<std::size_t> bytes;
     Words names;
-    for (const bench::Basis& basis : bench::all_bases()) {
+    for (const Basis& basis : all_bases()) {
         names.push_back(basis.name);
         bytes.push_back(basis.bytes);
     }

@@ -15,10 +15,7 @@
 namespace {
 
 using namespace tests;
-using bench::BasisFigures;
-using bench::Environment;
-using bench::LightKind;
-using bench::OneTexel;
+using namespace bench::bases;
 using common::Vec3;
 using shlm::ShWeight;
 using shlm::TexelModel;
@@ -50,8 +47,7 @@ constexpr double mean_share = 0.10, worst_share = 0.15;
 const std::vector<BasisFigures>& figures_of(LightKind kind) {
     static std::map<LightKind, std::vector<BasisFigures>> known;
     std::vector<BasisFigures>& figures = known[kind];
-    if (figures.empty())
-        figures = bench::measure_bases(bench::all_bases(), kind, environments, 1, &always).value();
+    if (figures.empty()) figures = measure_bases(all_bases(), kind, environments, 1, &always).value();
     return figures;
 }
 
@@ -61,8 +57,8 @@ const BasisFigures& find(const std::vector<BasisFigures>& figures, const std::st
 }
 
 void expect_means(LightKind kind, const std::string& basis, double mean) {
-    const Bounds bounds = bounds_around(bench::expected_figures(kind, basis)->mean, mean_share);
-    EXPECT_TRUE(bounds.contain(mean)) << bench::name_of(kind) << ", " << basis << ": " << mean << " not in "
+    const Bounds bounds = bounds_around(expected_figures(kind, basis)->mean, mean_share);
+    EXPECT_TRUE(bounds.contain(mean)) << name_of(kind) << ", " << basis << ": " << mean << " not in "
                                       << bounds.low << " to " << bounds.high;
 }
 
@@ -101,7 +97,7 @@ TEST(BasisFigures, PointLightsAreTheQuadrature) {
     constexpr std::array<int, 4> orders = {0, 1, 2, 4};
     for (std::size_t i = 0; i < derived_bases.size(); ++i) {
         const auto [mean, worst] = point_light_quadrature(orders[i]);
-        const bench::ErrorFigures& found = find(figures, derived_bases[i]).series;
+        const ErrorFigures& found = find(figures, derived_bases[i]).series;
         // One light is jittered in each of 240 belts, and there are 300 normals: a few thousandths.
         EXPECT_NEAR(found.mean, mean, 0.005 * mean) << derived_bases[i];
         EXPECT_NEAR(found.worst, worst, 0.02 * worst) << derived_bases[i];
@@ -115,8 +111,7 @@ TEST(BasisFigures, PointLightsAreAsDerived) {
         EXPECT_EQ(found.environments, environments);
         expect_means(LightKind::point, basis, found.series.mean);
         // Not random: the error is largest at the horizon, and one light is in the lowest of 240 belts.
-        const Bounds bounds =
-            bounds_around(*bench::expected_figures(LightKind::point, basis)->worst, worst_share);
+        const Bounds bounds = bounds_around(*expected_figures(LightKind::point, basis)->worst, worst_share);
         EXPECT_TRUE(bounds.contain(found.series.worst)) << basis << ": " << found.series.worst;
         EXPECT_LE(found.answered.mean, found.series.mean) << "the truth is never below zero";
     }
@@ -128,7 +123,7 @@ TEST(BasisFigures, UniformLightIsAsDerived) {
         const BasisFigures& found = find(figures, basis);
         EXPECT_EQ(found.environments, 1u);
         EXPECT_EQ(found.series.mean, found.series.worst);
-        EXPECT_FALSE(bench::expected_figures(LightKind::uniform, basis)->worst);
+        EXPECT_FALSE(expected_figures(LightKind::uniform, basis)->worst);
         expect_means(LightKind::uniform, basis, found.series.mean);
     }
 }
@@ -181,13 +176,13 @@ TEST(BasisFigures, HalvesAreAsGoodAsFloats) {
 TEST(BasisFigures, WorstRoomsAreAsDerived) {
     constexpr std::size_t sets = count_for(39, 0);
     if (sets == 0) GTEST_SKIP() << "takes too long without optimisation";
-    std::vector<bench::Basis> bases = bench::all_bases();
-    std::erase_if(bases, [](const bench::Basis& basis) {
+    std::vector<Basis> bases = all_bases();
+    std::erase_if(bases, [](const Basis& basis) {
         return std::find(derived_bases.begin(), derived_bases.end(), basis.name) == derived_bases.end();
     });
     std::vector<std::vector<BasisFigures>> found(sets);
     tbb::parallel_for(std::size_t{0}, sets, [&](std::size_t i) {
-        found[i] = bench::measure_bases(bases, LightKind::room, environments, i + 1, &always).value();
+        found[i] = measure_bases(bases, LightKind::room, environments, i + 1, &always).value();
     });
     for (const std::string& basis : derived_bases) {
         double low = 1e30, high = 0;
@@ -197,7 +192,7 @@ TEST(BasisFigures, WorstRoomsAreAsDerived) {
             high = std::max(high, find(figures, basis).series.worst);
             mean.add(find(figures, basis).series.mean);
         }
-        const auto expected = *bench::expected_figures(LightKind::room, basis);
+        const auto expected = *expected_figures(LightKind::room, basis);
         const Bounds derived = bounds_around(*expected.worst, 0);
         EXPECT_GE(derived.high, low * (1 - worst_share)) << basis;
         EXPECT_LE(derived.low, high * (1 + worst_share)) << basis;
@@ -216,8 +211,7 @@ TEST(BasisFigures, FluxWeightReadsTwoThirdsOfUniformLight) {
 
 TEST(BasisFigures, StopWhereTheyAreTold) {
     int asked = 0;
-    EXPECT_FALSE(
-        bench::measure_bases(bench::all_bases(), LightKind::point, 9, 1, [&] { return ++asked < 4; }));
+    EXPECT_FALSE(measure_bases(all_bases(), LightKind::point, 9, 1, [&] { return ++asked < 4; }));
     EXPECT_EQ(asked, 4);
 }
 
@@ -236,12 +230,12 @@ template <class Model>
 double mean_error(LightKind kind) {
     constexpr std::size_t count = 60;
     const OneTexel texel;
-    const std::vector<Vec3> normals = bench::tilted_normals();
+    const std::vector<Vec3> normals = tilted_normals();
     double sum = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Environment environment = bench::make_environment(kind, i, count, 1);
-        const auto answers = bench::ask<Model>(texel, texel.photons_of(environment), normals);
-        sum += bench::relative_rms_percent(answers.series, bench::true_irradiance(environment, normals));
+        const Environment environment = make_environment(kind, i, count, 1);
+        const auto answers = ask<Model>(texel, texel.photons_of(environment), normals);
+        sum += relative_rms_percent(answers.series, true_irradiance(environment, normals));
     }
     return sum / count;
 }
@@ -250,7 +244,7 @@ template <class Wrong, int Order>
 void expect_wrong_factor_is_found() {
     const std::string basis = fmt::format("L{}/radiance", Order);
     for (const LightKind kind : {LightKind::point, LightKind::room}) {
-        const Bounds bounds = bounds_around(bench::expected_figures(kind, basis)->mean, mean_share);
+        const Bounds bounds = bounds_around(expected_figures(kind, basis)->mean, mean_share);
         EXPECT_TRUE(bounds.contain(mean_error<TexelModel<Order, ShWeight::radiance>>(kind))) << basis;
         EXPECT_FALSE(bounds.contain(mean_error<Wrong>(kind))) << basis;
     }
@@ -263,11 +257,11 @@ TEST(BasisFigures, AWrongBandFactorIsOutsideTheBounds) {
 }
 
 TEST(TiltCurve, IsTheClampedCosineAndWhatIsLeftOfIt) {
-    const bench::TiltCurve curve = bench::measure_tilt_curve();
+    const TiltCurve curve = measure_tilt_curve();
     ASSERT_EQ(curve.degrees.size(), 121u);
-    ASSERT_EQ(curve.answers.size(), bench::all_bases().size());
+    ASSERT_EQ(curve.answers.size(), all_bases().size());
     constexpr std::size_t order_2 = 5;  // in all_bases()
-    ASSERT_EQ(bench::all_bases()[order_2].name, "L2/radiance");
+    ASSERT_EQ(all_bases()[order_2].name, "L2/radiance");
     for (std::size_t i = 0; i < curve.degrees.size(); ++i) {
         const double x = std::cos((curve.degrees[i] - 40) * pi / 180);
         EXPECT_NEAR(curve.truth[i], std::max(0.0, x), 1e-6);

@@ -15,6 +15,8 @@
 
 namespace {
 
+using namespace bench::limit;
+using bench::stability::mean_irradiance;
 using namespace tests;
 using common::RayScene;
 using common::Vec3Array;
@@ -236,8 +238,8 @@ Answers answers_at(const Scene& scene, std::span<const SurfacePoint> points) {
         const common::TraceReport report = trace(scene, seed, {.photons = count_for(60'000, 12'000)}, both);
         const auto photon_map = std::move(photons).finish(report.watts_per_flux());
         const auto light_map = sums.finish(report.watts_per_flux());
-        answers.photon_map.add(bench::mean_irradiance(photon_map, points));
-        answers.light_map.add(bench::mean_irradiance(light_map, points));
+        answers.photon_map.add(mean_irradiance(photon_map, points));
+        answers.light_map.add(mean_irradiance(light_map, points));
     }
     return answers;
 }
@@ -309,9 +311,9 @@ TEST(CoincidingSurfaces, ReplayedRaysAreTheRuns) {
     add(scene, other_diagonal(small_lamp), lamp);
     const RayScene rays(scene);
     const common::PhotonSource source(scene);
-    const bench::RecordedRun run = bench::record_run(rays, source, 1, 20'000, std::size_t{1} << 30,
-                                                     [](const bench::RecordedRun&) { return true; });
-    EXPECT_EQ(bench::count_differences(rays, run.blocks), 0u);
+    const RecordedRun run =
+        record_run(rays, source, 1, 20'000, std::size_t{1} << 30, [](const RecordedRun&) { return true; });
+    EXPECT_EQ(count_differences(rays, run.blocks), 0u);
     const TracedRun traced = record(scene, 1, {.photons = run.report.fates.emitted});
     EXPECT_EQ(traced.report.hits, run.report.hits);
     EXPECT_EQ(traced.report.fates.absorbed, run.report.fates.absorbed);

@@ -9,6 +9,7 @@
 
 namespace {
 
+using namespace bench::compare;
 using namespace command;
 using child_process::text_of;
 using tests::count_for;
@@ -74,18 +75,18 @@ TEST_F(CompareMemory, SaysWhatWouldBeNeeded) {
 }
 
 TEST(CompareRow, SaysWhereThePeakIsNotOfTheRunAlone) {
-    bench::RowInput input;
+    RowInput input;
     input.method = bench::parse_contender("", "photonmap");
     input.queries = 1;
     input.null_sink.emplace_back().trace_seconds = 1;
-    bench::Measurement m;
+    Measurement m;
     m.trace.hits = 1;
     m.resident_before_bytes = 100;
     m.peak_resident_bytes = 350;
     input.measurements = {m};
-    EXPECT_EQ(bench::make_row(input)["peak_growth_bytes"], 250);
+    EXPECT_EQ(make_row(input)["peak_growth_bytes"], 250);
     input.measurements.front().peak_is_of_this_run = false;
-    const auto row = bench::make_row(input);
+    const auto row = make_row(input);
     EXPECT_FALSE(row.contains("peak_growth_bytes"));
     EXPECT_EQ(row["peak_rss_note"], "since the process began: the system does not let it be reset");
 }
@@ -97,16 +98,16 @@ class MeasureMethod : public testing::Test {
     const common::PhotonSource source{scene.scene};
     bench::PreparedScene prepared{scene, {}};
 
-    bench::Measurement measure(const std::string& name, std::uint64_t hits, std::size_t max_bytes) {
-        return bench::measure_method(bench::parse_contender("", name), prepared,
-                                     {scene, source, queries, 1, {.hits = hits}, {}, max_bytes});
+    Measurement measure(const std::string& name, std::uint64_t hits, std::size_t max_bytes) {
+        return measure_method(bench::parse_contender("", name), prepared,
+                              {scene, source, queries, 1, {.hits = hits}, {}, max_bytes});
     }
 };
 
 TEST_F(MeasureMethod, GivesTheMemoryBack) {
     if (sanitized) GTEST_SKIP() << "freed memory stays with the sanitizer";
     const std::size_t before = common::resident_bytes();
-    const bench::Measurement m = measure("photonmap/flann-incremental", 5'000'000, 300 << 20);
+    const Measurement m = measure("photonmap/flann-incremental", 5'000'000, 300 << 20);
     EXPECT_TRUE(m.given_up.starts_with("grew past --max-memory, 0.293 GiB, at ")) << m.given_up;
     EXPECT_LT(m.trace.hits, 5'000'000u);
     EXPECT_GT(common::peak_resident_bytes(), before + (300u << 20));
@@ -121,7 +122,7 @@ TEST_F(MeasureMethod, NeedsNoMoreThanWasComputed) {
           "photonmap/flann-incremental", "shlm", "shlm/L2/radiance/own/half", "shlm/a5"})
         for (const std::uint64_t hits : {10'000, 1'000'000}) {
             const std::size_t needed = bench::needed_bytes(bench::parse_contender("", name), {}, hits);
-            const bench::Measurement m = measure(name, hits, needed);
+            const Measurement m = measure(name, hits, needed);
             EXPECT_EQ(m.given_up, "") << name;
             if (!m.peak_is_of_this_run) GTEST_SKIP() << "the peak cannot be reset here";
             EXPECT_LE(m.peak_resident_bytes, m.resident_before_bytes + needed) << name << ", " << hits;

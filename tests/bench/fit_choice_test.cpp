@@ -17,7 +17,7 @@ class FitChoice : public testing::Test {
                                          {CandidateKind::light_map, "L2/radiance", "own", 4096},
                                          {CandidateKind::photon_radius, "disc", "r", 0.01},
                                          {CandidateKind::photon_share, "disc", "k", 1e-6}};
-    SelfEstimates estimates;
+    Estimates estimates;
     std::vector<std::optional<PilotCost>> costs;
     ContenderSettings settings;
     FitGoal goal{.target = 0.05, .z = 0, .max_hits = 1e9};
@@ -170,7 +170,7 @@ TEST_F(FitChoice, AnAdaptiveMapTakesThePilotsHits) {
 }
 
 TEST(NeededHits, AreMoreTheSurerOneMustBe) {
-    SelfEstimates estimates;
+    Estimates estimates;
     estimates.model = {ErrorModel{.pilot_hits = 1e6,
                                   .noise_sq = 0.002,
                                   .blur_sq = 0.001,
@@ -186,7 +186,7 @@ TEST(NeededHits, AreMoreTheSurerOneMustBe) {
 }
 
 TEST(NeededHits, OfWhatIsTriedAgainAndAgainMustPassMoreSurely) {
-    SelfEstimates estimates;
+    Estimates estimates;
     const ErrorModel model{.pilot_hits = 1e6, .noise_sq = 0.001, .blur_sq = 0.001, .bias_variance = 4e-8};
     ErrorModel tried = model;
     tried.at_pilot_alone = true;

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "bench/experiments/fit/carry_on.h"
-#include "bench/experiments/fit/self_estimate.h"
-#include "bench/experiments/fit/self_estimates.h"
+#include "bench/experiments/fit/estimates.h"
+#include "bench/experiments/fit/halves.h"
 #include "common/core/input_error.h"
 #include "tests/support/statistics.h"
 

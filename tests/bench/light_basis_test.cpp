@@ -12,9 +12,7 @@
 
 namespace {
 
-using bench::Arrival;
-using bench::Environment;
-using bench::OneTexel;
+using namespace bench::bases;
 using common::Rgb;
 using common::Vec3;
 using shlm::Harmonics;
@@ -65,7 +63,7 @@ TEST(QuadraticLight, IsTheSeriesMultipliedOut) {
 template <class Basis>
 void expect_least_squares(std::size_t functions) {
     std::mt19937 engine(seed);
-    const std::vector<Vec3> hemisphere = bench::directions_in_cap(20000, 0);
+    const std::vector<Vec3> hemisphere = directions_in_cap(20000, 0);
     for (int i = 0; i < 20; ++i) {
         const TexelLight<2> light = any_light(engine);
         const Vec3 face_normal = any_direction(engine);
@@ -121,20 +119,20 @@ TEST(LuminanceNine, KeepsTheColourOfTheOwnNormal) {
 /// One light, uniform light from above, and both.
 TEST(AmbientAndDirection, IsExactForOneLightAndUniformLight) {
     const OneTexel texel;
-    const std::vector<Vec3> normals = bench::tilted_normals();
+    const std::vector<Vec3> normals = tilted_normals();
     for (const double degrees : {0.0, 30.0, 60.0, 80.0})
         for (const double share : {0.0, 0.3, 1.0}) {
-            Environment light = bench::make_environment(bench::LightKind::uniform, 0, 1, 1);
+            Environment light = make_environment(LightKind::uniform, 0, 1, 1);
             for (Arrival& arrival : light) arrival.irradiance *= 1 - share;
             const double angle = degrees * std::numbers::pi / 180;
             const Vec3 towards(static_cast<float>(std::sin(angle)), 0, static_cast<float>(std::cos(angle)));
             light.push_back({towards, 10 * share * towards.z});
-            const std::vector<double> truth = bench::true_irradiance(light, normals);
+            const std::vector<double> truth = true_irradiance(light, normals);
             const auto answers =
-                bench::ask<TexelModel<1, shlm::ShWeight::radiance>, shlm::AmbientAndDirection, float>(
+                ask<TexelModel<1, shlm::ShWeight::radiance>, shlm::AmbientAndDirection, float>(
                     texel, texel.photons_of(light), normals);
             // Uniform light of this many photons is so within a thousandth.
-            EXPECT_LE(bench::relative_rms_percent(answers.answered, truth), share == 1 ? 0.01 : 0.1)
+            EXPECT_LE(relative_rms_percent(answers.answered, truth), share == 1 ? 0.01 : 0.1)
                 << degrees << " degrees, share " << share;
         }
 }

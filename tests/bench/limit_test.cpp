@@ -13,14 +13,13 @@
 namespace {
 
 using namespace command;
-using bench::LimitPart;
-using bench::RecordedRun;
+using namespace bench::limit;
 using common::Vec3;
 using Json = nlohmann::json;
 
 constexpr std::uint64_t seed = 5, few_hits = 3000;  // fewer photons than a block has
 
-const bench::RecordProgress go_on = [](const RecordedRun&) { return true; };
+const RecordProgress go_on = [](const RecordedRun&) { return true; };
 
 /// A scene with all that its rays need.
 struct Subject {
@@ -32,13 +31,13 @@ struct Subject {
         : scene(common::load_gltf(build_folder + "/scenes/" + name + ".glb")) {}
 
     [[nodiscard]] RecordedRun record(std::uint64_t hits = few_hits) const {
-        return bench::record_run(rays, source, seed, hits, std::size_t{1} << 30, go_on);
+        return record_run(rays, source, seed, hits, std::size_t{1} << 30, go_on);
     }
 };
 
-std::vector<Vec3> directions_of(const std::vector<bench::RayBlock>& blocks) {
+std::vector<Vec3> directions_of(const std::vector<RayBlock>& blocks) {
     std::vector<Vec3> all;
-    for (const bench::RayBlock& block : blocks)
+    for (const RayBlock& block : blocks)
         for (std::size_t i = 0; i < block.size(); ++i) all.push_back(block.direction[i]);
     return all;
 }
@@ -46,7 +45,7 @@ std::vector<Vec3> directions_of(const std::vector<bench::RayBlock>& blocks) {
 /// Directions of those recorded rays that meet a diffuse surface.
 std::vector<Vec3> arriving(const Subject& subject, const RecordedRun& run) {
     std::vector<Vec3> all;
-    for (const bench::RayBlock& block : run.blocks)
+    for (const RayBlock& block : run.blocks)
         for (std::size_t i = 0; i < block.size(); ++i)
             if (const auto met = subject.rays.nearest(block.origin[i], block.direction[i]);
                 met && subject.scene.material_of(met->triangle).kind == common::SurfaceKind::diffuse)
@@ -90,21 +89,21 @@ TEST(RecordedRun, HasTheRaysOfATrace) {
 TEST(RecordedRun, IsInFullBlocksButTheLast) {
     const RecordedRun run = Subject("cornell").record(10'000);
     ASSERT_EQ(run.blocks.size(), 3u);
-    EXPECT_EQ(run.blocks[0].size(), bench::rays_per_block);
-    EXPECT_EQ(run.blocks[1].size(), bench::rays_per_block);
-    EXPECT_EQ(run.blocks[2].size(), run.rays - 2 * bench::rays_per_block);
+    EXPECT_EQ(run.blocks[0].size(), rays_per_block);
+    EXPECT_EQ(run.blocks[1].size(), rays_per_block);
+    EXPECT_EQ(run.blocks[2].size(), run.rays - 2 * rays_per_block);
 }
 
 TEST(RecordedRun, StaysWithinItsMemory) {
     const Subject subject("cornell");
-    EXPECT_THROW((void)bench::record_run(subject.rays, subject.source, seed, 1'000'000, 1'000'000, go_on),
+    EXPECT_THROW((void)record_run(subject.rays, subject.source, seed, 1'000'000, 1'000'000, go_on),
                  common::InputError);
 }
 
 TEST(RecordedRun, SortedHasTheSameRaysOctantAfterOctant) {
     const Subject subject("cornell");
     const RecordedRun run = subject.record(10'000);
-    const auto sorted = bench::sorted_blocks(run.blocks, subject.scene.bounds);
+    const auto sorted = sorted_blocks(run.blocks, subject.scene.bounds);
     const auto before = [](const Vec3& a, const Vec3& b) {
         return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
     };
@@ -112,7 +111,7 @@ TEST(RecordedRun, SortedHasTheSameRaysOctantAfterOctant) {
     std::sort(recorded.begin(), recorded.end(), before);
     std::sort(again.begin(), again.end(), before);
     EXPECT_EQ(recorded, again);
-    for (const bench::RayBlock& block : sorted) {
+    for (const RayBlock& block : sorted) {
         std::size_t changes = 0;
         for (std::size_t i = 1; i < block.size(); ++i)
             for (int axis = 0; axis < 3; ++axis)
@@ -124,7 +123,7 @@ TEST(RecordedRun, SortedHasTheSameRaysOctantAfterOctant) {
 TEST(Replay, PacketsFindWhatSingleRaysFind) {
     for (const std::string name : {"cornell", "atrium"}) {  // packets of 16, of 8
         const Subject subject(name);
-        EXPECT_EQ(bench::count_differences(subject.rays, subject.record(20'000).blocks), 0u) << name;
+        EXPECT_EQ(count_differences(subject.rays, subject.record(20'000).blocks), 0u) << name;
     }
 }
 
@@ -133,7 +132,7 @@ struct Parts {
     bench::LoadedScene loaded{cornell, {}};
     common::PhotonSource source{loaded.scene};
     bench::PreparedScene prepared{loaded, {.texels = {.count = 1024}}};
-    bench::LimitSubject subject;
+    LimitSubject subject;
 
     Parts()
         : subject{loaded,
@@ -142,30 +141,29 @@ struct Parts {
                   bench::parse_contender("", "shlm"),
                   bench::parse_contender("", "photonmap/compact"),
                   seed,
-                  bench::record_run(loaded.rays, source, seed, few_hits, std::size_t{1} << 30, go_on),
+                  record_run(loaded.rays, source, seed, few_hits, std::size_t{1} << 30, go_on),
                   {}} {
-        subject.sorted = bench::sorted_blocks(subject.run.blocks, loaded.scene.bounds);
+        subject.sorted = sorted_blocks(subject.run.blocks, loaded.scene.bounds);
     }
 };
 
 TEST(LimitParts, AnotherRunThanTheRecordedIsNotTimed) {
     Parts parts;
-    EXPECT_NO_THROW(bench::check_answers(parts.subject));
+    EXPECT_NO_THROW(check_answers(parts.subject));
     ++parts.subject.run.report.hits;
-    EXPECT_THROW(bench::check_answers(parts.subject), std::runtime_error);
+    EXPECT_THROW(check_answers(parts.subject), std::runtime_error);
 }
 
 TEST(LimitParts, EndWhenAskedTo) {
     const Parts parts;
-    const bench::LimitSeconds seconds =
-        bench::measure_limit(parts.subject, 3, [](std::size_t done) { return done < 8; });
+    const LimitSeconds seconds = measure_limit(parts.subject, 3, [](std::size_t done) { return done < 8; });
     EXPECT_EQ(seconds[static_cast<std::size_t>(LimitPart::single)].size(), 1u);
     EXPECT_EQ(seconds[static_cast<std::size_t>(LimitPart::sorted_single)].size(), 2u);
     EXPECT_EQ(seconds[static_cast<std::size_t>(LimitPart::packet)].size(), 1u);
 }
 
 TEST(LimitFigures, AreOfTheSameRepetition) {
-    const bench::PairedRatio ratio = bench::paired_ratio({1, 20, 9}, {2, 10, 3});
+    const PairedRatio ratio = paired_ratio({1, 20, 9}, {2, 10, 3});
     EXPECT_EQ(ratio.median, 2);
     EXPECT_EQ(ratio.smallest, 0.5);
     EXPECT_EQ(ratio.largest, 3);
@@ -173,11 +171,11 @@ TEST(LimitFigures, AreOfTheSameRepetition) {
 
 TEST(LimitFigures, RatesAreTimesTurnedRound) {
     const Parts parts;
-    bench::LimitSeconds seconds;
+    LimitSeconds seconds;
     seconds.fill({1, 1, 1});
     seconds[static_cast<std::size_t>(LimitPart::packet)] = {0.5, 0.25, 1};
     seconds[static_cast<std::size_t>(LimitPart::null)] = {4, 2, 2};
-    const auto all = bench::limit_as_json(parts.subject, seconds, 2);
+    const auto all = limit_as_json(parts.subject, seconds, 2);
     EXPECT_EQ(all["packet_ratio"], 2);
     EXPECT_EQ(all["packet_ratio_range"], (std::vector<double>{1, 4}));
     EXPECT_EQ(all["null_ratio"], 0.5);
@@ -214,7 +212,7 @@ TEST_F(Limit, SaysItsRatiosAsJson) {
         EXPECT_LE(all.at(name + "_range")[0].get<double>(), median) << name;
         EXPECT_GE(all.at(name + "_range")[1].get<double>(), median) << name;
     }
-    for (const auto part : bench::limit_part_names) {
+    for (const auto part : limit_part_names) {
         EXPECT_EQ(all.at("seconds").at(part).size(), 3u) << part;
         EXPECT_GT(all.at("rays_per_second").at(part), 0) << part;
     }

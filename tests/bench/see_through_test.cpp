@@ -15,6 +15,7 @@
 
 namespace {
 
+using namespace bench::limit;
 using namespace tests;
 using common::HitBatch;
 using common::RayScene;
@@ -151,8 +152,8 @@ TEST(SeeThrough, PhotonsAreTracedTogetherAsOneByOne) {
     const Scene scene = see_through_room();
     const RayScene rays(scene);
     const common::PhotonSource source(scene);
-    const bench::RecordedRun run = bench::record_run(rays, source, seed, 5000, std::size_t{1} << 30,
-                                                     [](const bench::RecordedRun&) { return true; });
+    const RecordedRun run =
+        record_run(rays, source, seed, 5000, std::size_t{1} << 30, [](const RecordedRun&) { return true; });
     ASSERT_LT(run.report.fates.emitted, common::photons_per_block);
     common::TracedBlock traced;
     common::BlockTracer(rays, source, seed).trace(0, traced);

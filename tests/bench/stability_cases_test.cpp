@@ -9,8 +9,7 @@
 
 namespace {
 
-using bench::CaseRun;
-using bench::StabilityCase;
+using namespace bench::stability;
 
 class StabilityCases : public testing::TestWithParam<const StabilityCase*> {};
 
@@ -20,24 +19,22 @@ TEST_P(StabilityCases, AreAsPredicted) {
     const auto curves = GetParam()->run(CaseRun(false, {}, {}, judged ? 12 : 2));
     ASSERT_FALSE(curves.empty());
     if (!judged) return;
-    const std::size_t cases = bench::stability_cases().size();
-    const double false_alarms = bench::false_alarms_per_point(curves, cases);
-    for (const bench::StabilityCurve& curve : curves)
-        for (const bench::StabilityPoint& point : curve.points) {
-            const bench::PointVerdict verdict = bench::judge(point, curve.expected, false_alarms);
+    const std::size_t cases = stability_cases().size();
+    const double false_alarms = false_alarms_per_point(curves, cases);
+    for (const StabilityCurve& curve : curves)
+        for (const StabilityPoint& point : curve.points) {
+            const PointVerdict verdict = judge(point, curve.expected, false_alarms);
             EXPECT_TRUE(verdict.passed) << curve.name << " at " << point.at << ": " << verdict.mean
                                         << ", not " << point.predicted << " +- " << verdict.band;
         }
-    EXPECT_TRUE(bench::passes(curves, cases));
+    EXPECT_TRUE(passes(curves, cases));
 }
 
 TEST_P(StabilityCases, CanFail) {
     EXPECT_FALSE(GetParam()->mutations.empty());
     if (tests::count_for(0, 1) == 1) GTEST_SKIP() << "the optimised build shows it";
     for (const std::string& mutation : GetParam()->mutations)
-        EXPECT_FALSE(
-            bench::passes(GetParam()->run(CaseRun(false, mutation)), bench::stability_cases().size()))
-            << mutation;
+        EXPECT_FALSE(passes(GetParam()->run(CaseRun(false, mutation)), stability_cases().size())) << mutation;
 }
 
 TEST_P(StabilityCases, SayWhatTheyAre) {
@@ -50,29 +47,28 @@ TEST_P(StabilityCases, SayWhatTheyAre) {
     })) << one.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, StabilityCases, testing::ValuesIn(bench::stability_cases()),
-                         [](const auto& given) {
-                             std::string name = given.param->name;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Cases, StabilityCases, testing::ValuesIn(stability_cases()), [](const auto& given) {
+    std::string name = given.param->name;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
 
 TEST(StabilityVerdict, KnowsItsBands) {
-    const bench::StabilityPoint random{0, 1.0, 0.1, {0.9, 1.0, 1.1, 1.0}};
-    const bench::PointVerdict verdict = bench::judge(random, bench::Expected::equal, 0.01);
+    const StabilityPoint random{0, 1.0, 0.1, {0.9, 1.0, 1.1, 1.0}};
+    const PointVerdict verdict = judge(random, Expected::equal, 0.01);
     EXPECT_NEAR(verdict.mean, 1, 1e-12);
     // Standard error sqrt(0.02 / 3 / 4) = 0.0408248; Student's t of 3 degrees: 5.8409 at 1 %, 3.1824 at 5 %.
     EXPECT_NEAR(verdict.band, 0.1 + 5.8409 * 0.0408248, 1e-4);
     EXPECT_NEAR(verdict.confidence, 3.1824 * 0.0408248, 1e-4);
     const double not_a_number = std::numeric_limits<double>::quiet_NaN();
-    for (const auto expected : {bench::Expected::equal, bench::Expected::at_most}) {
-        EXPECT_FALSE(bench::judge({0, 1, 9, {not_a_number}}, expected, 0.01).passed);
-        EXPECT_FALSE(bench::judge({0, 1, 9, {}}, expected, 0.01).passed) << "nothing was measured";
-        EXPECT_FALSE(bench::judge({0, 1, 0.1, {1.2}}, expected, 0.01).passed);
-        EXPECT_TRUE(bench::judge({0, 1, 0.3, {1.2}}, expected, 0.01).passed);
+    for (const auto expected : {Expected::equal, Expected::at_most}) {
+        EXPECT_FALSE(judge({0, 1, 9, {not_a_number}}, expected, 0.01).passed);
+        EXPECT_FALSE(judge({0, 1, 9, {}}, expected, 0.01).passed) << "nothing was measured";
+        EXPECT_FALSE(judge({0, 1, 0.1, {1.2}}, expected, 0.01).passed);
+        EXPECT_TRUE(judge({0, 1, 0.3, {1.2}}, expected, 0.01).passed);
     }
-    EXPECT_TRUE(bench::judge({0, 1, 0, {0.5}}, bench::Expected::at_most, 0.01).passed);
-    EXPECT_FALSE(bench::passes({}, 1)) << "a case that judges nothing";
+    EXPECT_TRUE(judge({0, 1, 0, {0.5}}, Expected::at_most, 0.01).passed);
+    EXPECT_FALSE(passes({}, 1)) << "a case that judges nothing";
 }
 
 }  // namespace

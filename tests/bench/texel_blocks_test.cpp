@@ -8,7 +8,7 @@
 namespace {
 
 using namespace bench::scene_builder;
-using bench::FlatModel;
+using namespace bench::stability;
 using common::HitBatch;
 using common::Scene;
 using shlm::OwnTexel;
@@ -47,24 +47,24 @@ Scene two_quads(const Mesh& left, const Mesh& right) {
 }
 
 TEST(TexelBlocks, ASingleHitIsSharedByAll) {
-    const Scene& scene = bench::unit_floor();
-    const auto texels = bench::texels_of(scene, side * side);
+    const Scene& scene = unit_floor();
+    const auto texels = texels_of(scene, side * side);
     HitBatch hits;
     add_hits(hits, scene, 0, 3, 5, 1);
-    const auto map = bench::light_map_of<FlatModel>(texels, hits, OwnTexel{}, 2);
+    const auto map = light_map_of<FlatModel>(texels, hits, OwnTexel{}, 2);
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column)
             EXPECT_NEAR(shown(map, scene, 0, column, row), 1.0 / (side * side), 1e-6);
 }
 
 TEST(TexelBlocks, ABlockWithEnoughHitsIsDivided) {
-    const Scene& scene = bench::unit_floor();
-    const auto texels = bench::texels_of(scene, side * side);
+    const Scene& scene = unit_floor();
+    const auto texels = texels_of(scene, side * side);
     HitBatch hits;
     add_hits(hits, scene, 0, 0, 0, 10);  // in a block of 2 x 2 that has enough: each texel by itself
     add_hits(hits, scene, 0, 7, 7, 6);   // in the opposite one, which has not; but that of 4 x 4 has
     add_hits(hits, scene, 0, 4, 4, 4);
-    const auto map = bench::light_map_of<FlatModel>(texels, hits, OwnTexel{}, 10);
+    const auto map = light_map_of<FlatModel>(texels, hits, OwnTexel{}, 10);
     EXPECT_NEAR(shown(map, scene, 0, 0, 0), 10, 1e-5);
     EXPECT_EQ(shown(map, scene, 0, 1, 0), 0);
     EXPECT_EQ(shown(map, scene, 0, 2, 2), 0) << "no light comes from beyond the block";
@@ -73,11 +73,11 @@ TEST(TexelBlocks, ABlockWithEnoughHitsIsDivided) {
 }
 
 TEST(TexelBlocks, WithoutLeastHitsEachTexelShowsItsOwn) {
-    const Scene& scene = bench::unit_floor();
-    const auto texels = bench::texels_of(scene, side * side);
+    const Scene& scene = unit_floor();
+    const auto texels = texels_of(scene, side * side);
     HitBatch hits;
     add_hits(hits, scene, 0, 3, 5, 1);
-    const auto map = bench::light_map_of<FlatModel>(texels, hits, OwnTexel{}, 0);
+    const auto map = light_map_of<FlatModel>(texels, hits, OwnTexel{}, 0);
     EXPECT_NEAR(shown(map, scene, 0, 3, 5), 1, 1e-6);
     EXPECT_EQ(shown(map, scene, 0, 2, 5), 0);
 }
@@ -89,15 +89,14 @@ TEST(TexelBlocks, NoLightIsLostOrMade) {
                                        {{0, 0}, {0.93f, 0.04f}, {0.97f, 0.95f}, {0.06f, 0.91f}});
     Scene scene;
     add(scene, mesh, double_sided(diffuse({1, 1, 1})));
-    const auto texels = bench::texels_of(scene, 700);
+    const auto texels = texels_of(scene, 700);
     for (const std::size_t count : {1, 30, 300, 3000}) {
-        bench::Generator generator(count);
+        Generator generator(count);
         HitBatch hits;
-        bench::irradiate_quad(hits, scene, 0, count, generator, bench::always({0, 0, -1}));
-        bench::irradiate_quad(hits, scene, 0, count, generator, bench::always({0, 0, 1}));
+        irradiate_quad(hits, scene, 0, count, generator, always({0, 0, -1}));
+        irradiate_quad(hits, scene, 0, count, generator, always({0, 0, 1}));
         const auto light_shown = [&](std::uint64_t least_hits) {
-            const auto map =
-                bench::light_map_of<bench::HarmonicModel<2>>(texels, hits, OwnTexel{}, least_hits);
+            const auto map = light_map_of<HarmonicModel<2>>(texels, hits, OwnTexel{}, least_hits);
             double light = 0;
             for (const auto& texel : map.texels()) light += texel.stored[0] * texel.face.area;
             return light;
@@ -110,10 +109,10 @@ TEST(TexelBlocks, NoLightIsLostOrMade) {
 TEST(TexelBlocks, FrontAndBackDoNotShare) {
     Scene scene;
     add(scene, quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), double_sided(diffuse({1, 1, 1})));
-    const auto texels = bench::texels_of(scene, 2 * side * side);
+    const auto texels = texels_of(scene, 2 * side * side);
     HitBatch hits;
     add_hits(hits, scene, 0, 3, 5, 1);
-    const auto map = bench::light_map_of<FlatModel>(texels, hits, OwnTexel{}, 28);
+    const auto map = light_map_of<FlatModel>(texels, hits, OwnTexel{}, 28);
     SurfacePoint back = front_of(scene, on_quad(0, 0.5f, 0.5f));
     back.front = false;
     EXPECT_GT(shown(map, scene, 0, 0, 0), 0);
@@ -123,10 +122,10 @@ TEST(TexelBlocks, FrontAndBackDoNotShare) {
 TEST(TexelBlocks, DoNotReachAroundACorner) {
     const Scene scene =
         two_quads(quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), quad({1, 0, 0}, {0, 0, 1}, {0, 1, 0}));
-    const auto texels = bench::texels_of(scene, 2 * side * side);
+    const auto texels = texels_of(scene, 2 * side * side);
     HitBatch hits;
     add_hits(hits, scene, 0, 3, 5, 1);
-    const auto map = bench::light_map_of<FlatModel>(texels, hits, OwnTexel{}, 28);
+    const auto map = light_map_of<FlatModel>(texels, hits, OwnTexel{}, 28);
     EXPECT_NEAR(shown(map, scene, 0, 0, 0), 1.0 / (side * side), 1e-6);
     EXPECT_EQ(shown(map, scene, 2, 0, 0), 0);
 }
@@ -135,10 +134,10 @@ TEST(TexelBlocks, DoNotReachOverToAChartFarAway) {
     const Mesh lit = quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     for (const float apart : {1.0f, 5.0f}) {
         const Scene scene = two_quads(lit, quad({apart, 0, 0}, {1, 0, 0}, {0, 1, 0}));
-        const auto texels = bench::texels_of(scene, 2 * side * side);
+        const auto texels = texels_of(scene, 2 * side * side);
         HitBatch hits;
         add_hits(hits, scene, 0, 3, 5, 1);
-        const auto map = bench::light_map_of<FlatModel>(texels, hits, OwnTexel{}, 28);
+        const auto map = light_map_of<FlatModel>(texels, hits, OwnTexel{}, 28);
         const bool joined_up = apart == 1;
         EXPECT_NEAR(shown(map, scene, 2, 0, 0), joined_up ? 0.5 / (side * side) : 0, 1e-6) << apart;
     }
@@ -147,16 +146,16 @@ TEST(TexelBlocks, DoNotReachOverToAChartFarAway) {
 /// Light up to x = 27.3 texels, where no block ends. What is beyond shares light only with a block that has
 /// too few hits for itself: at half a hit to a texel those of 8 x 8, at 4 those of 2 x 2.
 TEST(TexelBlocks, ShadowsStayDarkBesideEnoughLight) {
-    const Scene& scene = bench::unit_floor();
-    const auto texels = bench::texels_of(scene, 64 * 64);
+    const Scene& scene = unit_floor();
+    const auto texels = texels_of(scene, 64 * 64);
     for (const auto& [hits_per_texel, dark_from] : {std::pair(0.5, 32), {4.0, 28}}) {
         HitBatch hits;
-        bench::Generator generator(1);
+        Generator generator(1);
         for (int i = 0; i < hits_per_texel * 27.3 * 64; ++i) {
-            const float x = 27.3f / 64 * bench::uniform(generator), y = bench::uniform(generator);
+            const float x = 27.3f / 64 * uniform(generator), y = uniform(generator);
             hits.push_back({x, y, 0}, {0, 0, -1}, {1, 1, 1}, on_quad(0, x, y));
         }
-        const auto map = bench::light_map_of<FlatModel>(texels, hits, OwnTexel{}, 28);
+        const auto map = light_map_of<FlatModel>(texels, hits, OwnTexel{}, 28);
         for (int row = 0; row < 64; ++row)
             for (int column = 0; column < 64; ++column) {
                 const auto at = [](int texel) { return (static_cast<float>(texel) + 0.5f) / 64; };

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "common/tracer/recording_sink.h"
+#include "common/tracer/rejected_hits.h"
 #include "photonmap/photon_sinks.h"
 #include "shlm/map/sink.h"
 #include "tests/support/statistics.h"
@@ -141,14 +142,14 @@ TEST(Energy, LightMapCountsWhatItCannotStore) {
         const std::uint32_t triangle = recorder.hits().surface[i].triangle;
         const std::uint32_t instance = scene.instance_of[triangle];
         if (instance == 0)
-            ++expected.without_lightmap_uv;
+            ++expected.without_texel;
         else if (instance == 6 && recorder.hits().direction[i].dot(scene.geometric_normal[triangle]) > 0)
             ++expected.back_of_single_sided;
     }
     const RejectedHits rejected = sink.rejected();
-    EXPECT_GT(rejected.without_lightmap_uv, 0u);
+    EXPECT_GT(rejected.without_texel, 0u);
     EXPECT_GT(rejected.back_of_single_sided, 0u);
-    EXPECT_EQ(rejected.without_lightmap_uv, expected.without_lightmap_uv);
+    EXPECT_EQ(rejected.without_texel, expected.without_texel);
     EXPECT_EQ(rejected.back_of_single_sided, expected.back_of_single_sided);
     EXPECT_EQ(rejected.not_finite, 0u);
     std::uint64_t stored = 0;

@@ -15,7 +15,7 @@ inline common::Vec3 direction_in_xz(double degrees) {
     return common::Vec3(Imath::V3d(std::sin(angle), 0, std::cos(angle)));
 }
 
-inline bench::Environment one_light(double degrees) {
+inline bench::bases::Environment one_light(double degrees) {
     const common::Vec3 towards_light = direction_in_xz(degrees);
     return {{towards_light, towards_light.z}};
 }

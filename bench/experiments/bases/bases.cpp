@@ -16,7 +16,7 @@
 #include "common/core/progress.h"
 #include "common/core/standard_streams.h"
 
-namespace bench {
+namespace bench::bases {
 namespace {
 
 constexpr std::uint64_t most_environments = 100'000;
@@ -77,4 +77,4 @@ const RegisteredCommand registered(
 
 }  // namespace
 
-}  // namespace bench
+}  // namespace bench::bases

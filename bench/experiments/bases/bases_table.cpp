@@ -5,7 +5,7 @@
 #include "bench/contenders/row_facts.h"
 #include "bench/setup/provenance.h"
 
-namespace bench {
+namespace bench::bases {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -125,4 +125,4 @@ std::string bases_as_markdown(std::span<const BasisFigures> figures, std::uint64
     return text + "\n![](charts/bases.png)\n\n![](charts/bases-tilt.png)\n";
 }
 
-}  // namespace bench
+}  // namespace bench::bases

@@ -7,7 +7,7 @@
 #include "bench/experiments/bases/basis_figures.h"
 #include "bench/experiments/bases/tilt_curve.h"
 
-namespace bench {
+namespace bench::bases {
 
 /// context (with seed), definition, lights, rows and tilt.
 [[nodiscard]] nlohmann::ordered_json bases_as_json(std::span<const BasisFigures> figures,
@@ -19,4 +19,4 @@ namespace bench {
 /// The rows with all that is needed to read them, in Markdown.
 [[nodiscard]] std::string bases_as_markdown(std::span<const BasisFigures> figures, std::uint64_t seed);
 
-}  // namespace bench
+}  // namespace bench::bases

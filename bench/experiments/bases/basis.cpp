@@ -4,7 +4,7 @@
 #include "shlm/basis/hemisphere_four.h"
 #include "shlm/basis/luminance_nine.h"
 
-namespace bench {
+namespace bench::bases {
 namespace {
 
 using enum shlm::ShWeight;
@@ -39,4 +39,4 @@ std::vector<Basis> all_bases() {
     return bases;
 }
 
-}  // namespace bench
+}  // namespace bench::bases

@@ -6,7 +6,7 @@
 #include "bench/experiments/bases/one_texel.h"
 #include "shlm/map/sink.h"
 
-namespace bench {
+namespace bench::bases {
 
 /// Irradiance by shading normal, W/m^2, of the red channel.
 struct BasisAnswers {
@@ -51,4 +51,4 @@ struct Basis {
 /// behind them the same but for those weights in halves.
 [[nodiscard]] std::vector<Basis> all_bases();
 
-}  // namespace bench
+}  // namespace bench::bases

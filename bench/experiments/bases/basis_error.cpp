@@ -5,7 +5,7 @@
 
 #include "bench/experiments/bases/directions.h"
 
-namespace bench {
+namespace bench::bases {
 
 std::vector<common::Vec3> tilted_normals() {
     constexpr double cosine_of_60_degrees = 0.5;
@@ -34,4 +34,4 @@ double relative_rms_percent(std::span<const double> answers, std::span<const dou
     return 100 * std::sqrt(squares / count) / mean;
 }
 
-}  // namespace bench
+}  // namespace bench::bases

@@ -6,7 +6,7 @@
 
 #include "bench/experiments/bases/environment.h"
 
-namespace bench {
+namespace bench::bases {
 
 /// The normals that normal maps make: 300 within 60 degrees of +z, each for the same solid angle.
 [[nodiscard]] std::vector<common::Vec3> tilted_normals();
@@ -20,4 +20,4 @@ namespace bench {
 /// In %: the root mean square over the normals of (answer - truth), divided by the mean of the truth.
 [[nodiscard]] double relative_rms_percent(std::span<const double> answers, std::span<const double> truth);
 
-}  // namespace bench
+}  // namespace bench::bases

@@ -5,7 +5,7 @@
 
 #include "bench/experiments/bases/basis_error.h"
 
-namespace bench {
+namespace bench::bases {
 namespace {
 
 constexpr common::Vec3 own_normal(0, 0, 1);
@@ -77,4 +77,4 @@ std::optional<ExpectedFigures> expected_figures(LightKind kind, const std::strin
     return found == expected.end() ? std::nullopt : std::optional(found->second);
 }
 
-}  // namespace bench
+}  // namespace bench::bases

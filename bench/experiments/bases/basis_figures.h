@@ -6,7 +6,7 @@
 
 #include "bench/experiments/bases/basis.h"
 
-namespace bench {
+namespace bench::bases {
 
 /// In %, over a set of environments.
 struct ErrorFigures {
@@ -40,4 +40,4 @@ struct ExpectedFigures {
 };
 [[nodiscard]] std::optional<ExpectedFigures> expected_figures(LightKind kind, const std::string& basis);
 
-}  // namespace bench
+}  // namespace bench::bases

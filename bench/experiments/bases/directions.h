@@ -7,7 +7,7 @@
 
 #include "common/core/vector.h"
 
-namespace bench {
+namespace bench::bases {
 
 /// `count` unit vectors with z above `least_cosine`, each in the middle of an equal share of the cap's solid
 /// angle: a Fibonacci lattice, z in equal steps and azimuth in steps of the golden section (Swinbank and
@@ -30,4 +30,4 @@ namespace bench {
     return 2 * std::numbers::pi * (1 - least_cosine);
 }
 
-}  // namespace bench
+}  // namespace bench::bases

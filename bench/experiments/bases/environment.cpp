@@ -6,7 +6,7 @@
 #include "common/estimator/irradiance_estimator.h"
 #include "common/reference/random_stream.h"
 
-namespace bench {
+namespace bench::bases {
 namespace {
 
 using common::Vec3;
@@ -145,4 +145,4 @@ Environment make_environment(LightKind kind, std::uint32_t index, std::size_t co
     return {};
 }
 
-}  // namespace bench
+}  // namespace bench::bases

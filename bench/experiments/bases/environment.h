@@ -8,7 +8,7 @@
 
 #include "common/core/vector.h"
 
-namespace bench {
+namespace bench::bases {
 
 /// Light from one direction, as much as one photon brings.
 struct Arrival {
@@ -45,4 +45,4 @@ inline constexpr std::array light_kinds = {LightKind::point, LightKind::room, Li
 [[nodiscard]] Environment make_environment(LightKind kind, std::uint32_t index, std::size_t count,
                                            std::uint64_t seed);
 
-}  // namespace bench
+}  // namespace bench::bases

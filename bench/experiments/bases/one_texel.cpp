@@ -1,6 +1,6 @@
 #include "bench/experiments/bases/one_texel.h"
 
-namespace bench {
+namespace bench::bases {
 namespace {
 
 using common::Vec2;
@@ -50,4 +50,4 @@ common::SurfacePoint OneTexel::point_with(const Vec3& shading_normal) const {
     return point;
 }
 
-}  // namespace bench
+}  // namespace bench::bases

@@ -7,7 +7,7 @@
 #include "common/tracer/hit_batch.h"
 #include "shlm/layout/prepared_texels.h"
 
-namespace bench {
+namespace bench::bases {
 
 class OneTexel {
   public:
@@ -27,4 +27,4 @@ class OneTexel {
     shlm::PreparedTexels prepared_;
 };
 
-}  // namespace bench
+}  // namespace bench::bases

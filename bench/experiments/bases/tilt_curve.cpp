@@ -4,7 +4,7 @@
 
 #include "bench/experiments/bases/basis_error.h"
 
-namespace bench {
+namespace bench::bases {
 namespace {
 
 constexpr double light_degrees = 40;
@@ -33,4 +33,4 @@ TiltCurve measure_tilt_curve() {
     return curve;
 }
 
-}  // namespace bench
+}  // namespace bench::bases

@@ -3,7 +3,7 @@
 
 #include "bench/experiments/bases/basis.h"
 
-namespace bench {
+namespace bench::bases {
 
 /// In the plane of the light; relative to a plane that faces it.
 struct TiltCurve {
@@ -16,4 +16,4 @@ struct TiltCurve {
 
 [[nodiscard]] TiltCurve measure_tilt_curve();
 
-}  // namespace bench
+}  // namespace bench::bases

@@ -17,7 +17,7 @@
 #include "common/core/threads.h"
 #include "common/scene/fingerprint.h"
 
-namespace bench {
+namespace bench::compare {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,4 +135,4 @@ const RegisteredCommand registered(6,
 
 }  // namespace
 
-}  // namespace bench
+}  // namespace bench::compare

@@ -9,7 +9,7 @@
 #include "common/core/input_error.h"
 #include "common/gltf/source_files.h"
 
-namespace bench {
+namespace bench::compare {
 void CompareOptions::add_to(Command& command) {
     command.option("SCENE", files, "glTF 2.0 files, .gltf or .glb", Need::required);
     command.option("--hits", hits, "Numbers of hits, separated by commas");
@@ -54,4 +54,4 @@ ComparePlan make_plan(const CompareOptions& options) {
     return plan;
 }
 
-}  // namespace bench
+}  // namespace bench::compare

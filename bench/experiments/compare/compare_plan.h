@@ -9,7 +9,7 @@
 #include "bench/setup/command.h"
 #include "bench/setup/run_options.h"
 
-namespace bench {
+namespace bench::compare {
 
 struct CompareOptions {
     std::vector<std::string> files;
@@ -43,4 +43,4 @@ struct ComparePlan {
 /// Throws InputError for the first option that makes no sense; makes the output folder.
 [[nodiscard]] ComparePlan make_plan(const CompareOptions& options);
 
-}  // namespace bench
+}  // namespace bench::compare

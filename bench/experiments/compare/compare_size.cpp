@@ -10,7 +10,7 @@
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
 
-namespace bench {
+namespace bench::compare {
 namespace {
 
 /// The row of a method before anything has been measured, with the reason where it will not be run.
@@ -111,4 +111,4 @@ SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
     return result;
 }
 
-}  // namespace bench
+}  // namespace bench::compare

@@ -7,7 +7,7 @@
 #include "bench/experiments/compare/compare_plan.h"
 #include "bench/experiments/compare/row.h"
 
-namespace bench {
+namespace bench::compare {
 
 /// A scene with all that a comparison needs of it.
 struct CompareScene {
@@ -27,4 +27,4 @@ struct SizeResult {
 [[nodiscard]] SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
                                       const std::vector<Contender>& methods, std::uint64_t hits);
 
-}  // namespace bench
+}  // namespace bench::compare

@@ -8,7 +8,7 @@
 #include "common/core/memory_use.h"
 #include "common/core/stopwatch.h"
 
-namespace bench {
+namespace bench::compare {
 namespace {
 
 TracedRun run_of(const Workload& w, const common::TraceProgress& progress) {
@@ -90,4 +90,4 @@ common::TraceReport measure_null_sink(const Workload& workload) {
     return trace_into_nothing(run_of(workload, workload.progress));
 }
 
-}  // namespace bench
+}  // namespace bench::compare

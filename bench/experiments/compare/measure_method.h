@@ -8,9 +8,10 @@
 
 #include "bench/contenders/contender.h"
 #include "bench/setup/query_points.h"
+#include "common/tracer/rejected_hits.h"
 #include "common/tracer/trace_photons.h"
 
-namespace bench {
+namespace bench::compare {
 
 /// What a run took and kept. Times are wall seconds.
 struct Measurement {
@@ -50,4 +51,4 @@ struct Workload {
 /// The same trace without a store.
 [[nodiscard]] common::TraceReport measure_null_sink(const Workload& workload);
 
-}  // namespace bench
+}  // namespace bench::compare

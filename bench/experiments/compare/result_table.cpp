@@ -12,7 +12,7 @@
 #include "bench/setup/provenance.h"
 #include "common/core/standard_streams.h"
 
-namespace bench {
+namespace bench::compare {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -81,4 +81,4 @@ void ResultTable::add(const std::vector<Json>& rows) {
     write_text(folder_ / "compare.csv", rows_as_csv(document_["rows"]));
 }
 
-}  // namespace bench
+}  // namespace bench::compare

@@ -5,7 +5,7 @@
 
 #include "bench/experiments/compare/compare_plan.h"
 
-namespace bench {
+namespace bench::compare {
 
 /// Begins with what an earlier run of the same build, machine, seed and settings has left in the folder, so
 /// that a comparison can be stopped and gone on with, or extended by scenes and sizes.
@@ -30,4 +30,4 @@ class ResultTable {
     nlohmann::ordered_json document_;
 };
 
-}  // namespace bench
+}  // namespace bench::compare

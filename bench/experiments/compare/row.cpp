@@ -8,7 +8,7 @@
 #include "bench/contenders/row_facts.h"
 #include "bench/setup/median.h"
 
-namespace bench {
+namespace bench::compare {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -146,4 +146,4 @@ std::string rows_as_text(const Json& rows) {
     return text;
 }
 
-}  // namespace bench
+}  // namespace bench::compare

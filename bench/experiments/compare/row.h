@@ -8,7 +8,7 @@
 
 #include "bench/experiments/compare/measure_method.h"
 
-namespace bench {
+namespace bench::compare {
 
 /// All repetitions of one method on one scene at one number of hits.
 struct RowInput {
@@ -36,4 +36,4 @@ struct RowInput {
 /// The columns that a reader wants first, for the terminal.
 [[nodiscard]] std::string rows_as_text(const nlohmann::ordered_json& rows);
 
-}  // namespace bench
+}  // namespace bench::compare

@@ -28,7 +28,7 @@ struct Choice {
 /// What is known when one chooses, in the candidates' order.
 struct Knowledge {
     std::span<const Candidate> candidates;
-    const SelfEstimates& estimates;
+    const Estimates& estimates;
     std::span<const NeededHits> needed;
     std::span<const std::optional<PilotCost>> costs;
     const ContenderSettings& settings;

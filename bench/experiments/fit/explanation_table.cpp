@@ -9,7 +9,7 @@
 
 #include "bench/contenders/light_map.h"
 
-namespace bench {
+namespace bench::fit {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -20,9 +20,9 @@ struct Seen {
     std::vector<float> width;
 };
 
-std::map<std::uint32_t, Seen> seen_by_instance(const fit::Explanation& explanation) {
+std::map<std::uint32_t, Seen> seen_by_instance(const Explanation& explanation) {
     std::map<std::uint32_t, Seen> seen;
-    for (const std::optional<fit::SeenBlock>& block : explanation.pixel) {
+    for (const std::optional<SeenBlock>& block : explanation.pixel) {
         if (!block) continue;
         Seen& one = seen[block->instance];
         ++one.pixels_by_kind[block->kind];
@@ -76,13 +76,13 @@ std::string row_text(const Json& row) {
 
 }  // namespace
 
-Json explanation_as_json(const fit::Explanation& explanation, const common::Scene& scene) {
+Json explanation_as_json(const Explanation& explanation, const common::Scene& scene) {
     std::map<std::uint32_t, Seen> seen = seen_by_instance(explanation);
     Json rows = Json::array();
     double whole = 0;
-    for (const fit::SurfaceError& surface : explanation.surfaces)
+    for (const SurfaceError& surface : explanation.surfaces)
         whole += surface.noise_sq + std::max(surface.bias_sq, 0.0);
-    for (const fit::SurfaceError& surface : explanation.surfaces) {
+    for (const SurfaceError& surface : explanation.surfaces) {
         const double bias_sq = std::max(surface.bias_sq, 0.0), error_sq = surface.noise_sq + bias_sq;
         Json row = surface_as_json(scene, surface.instance, seen[surface.instance]);
         row["points"] = surface.points;
@@ -108,10 +108,10 @@ Json colours_of_kinds() {
     return colours;
 }
 
-Json picture_as_json(const fit::Explanation& explanation, const Json& fit) {
+Json picture_as_json(const Explanation& explanation, const Json& fit) {
     const Json& entry = fit["light_map"];
     Json kinds = Json::array(), widths = Json::array();
-    for (const std::optional<fit::SeenBlock>& block : explanation.pixel) {
+    for (const std::optional<SeenBlock>& block : explanation.pixel) {
         kinds.push_back(block ? block->kind : "");
         widths.push_back(block ? std::round(block->width * 1e4f) / 1e4f : 0.0f);
     }
@@ -139,4 +139,4 @@ std::string explanation_text(const Json& surfaces, std::size_t rows) {
     return text;
 }
 
-}  // namespace bench
+}  // namespace bench::fit

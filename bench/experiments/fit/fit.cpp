@@ -14,14 +14,14 @@
 #include "common/core/standard_streams.h"
 #include "common/core/threads.h"
 
-namespace bench {
+namespace bench::fit {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// What a fit works on. All must outlive it.
 struct FitScene {
-    fit::PilotSubject subject;
+    PilotSubject subject;
     ReferenceScene* with_reference;  ///< null: nothing is verified
 };
 
@@ -32,24 +32,23 @@ struct FitDocuments {
     Json picture;  ///< of the explanation; null where none was asked for
 };
 
-FitVerification verification(const FitPlan& plan, const fit::FitResult& result, ReferenceScene& scene) {
-    const auto runs_of = [&](const fit::Choice& choice) {
-        if (!choice.reached) return std::vector<fit::VerifiedRun>{};
-        return fit::verify(result.candidates[choice.proposal.candidate],
-                           static_cast<std::uint64_t>(choice.proposal.hits), plan.seed, plan.seeds, scene);
+FitVerification verification(const FitPlan& plan, const FitResult& result, ReferenceScene& scene) {
+    const auto runs_of = [&](const Choice& choice) {
+        if (!choice.reached) return std::vector<VerifiedRun>{};
+        return verify(result.candidates[choice.proposal.candidate],
+                      static_cast<std::uint64_t>(choice.proposal.hits), plan.seed, plan.seeds, scene);
     };
     return {runs_of(result.light_map), runs_of(result.photon_map), scene.reference_error()};
 }
 
-FitDocuments fitted(const FitPlan& plan, const fit::FitGoal& goal, const FitScene& scene,
-                    fit::PilotArchive& archive) {
-    const fit::FitResult result = fit::search(scene.subject, goal, {plan.pilot_hits}, archive);
+FitDocuments fitted(const FitPlan& plan, const FitGoal& goal, const FitScene& scene, PilotArchive& archive) {
+    const FitResult result = search(scene.subject, goal, {plan.pilot_hits}, archive);
     const FitVerification verified =
         scene.with_reference ? verification(plan, result, *scene.with_reference) : FitVerification{};
     FitDocuments documents{
         fit_as_json(plan, goal, scene.subject.loaded.scene, result, verified), models_as_json(result), {}};
     if (plan.explain) {
-        const fit::Explanation explanation = fit::explain(result, scene.subject);
+        const Explanation explanation = explain(result, scene.subject);
         documents.fit["explanation"] = explanation_as_json(explanation, scene.subject.loaded.scene);
         documents.picture = picture_as_json(explanation, documents.fit);
     }
@@ -71,7 +70,7 @@ void write(const std::filesystem::path& folder, const FitDocuments& documents) {
         throw common::InputError("fit: the picture of --explain could not be drawn");
 }
 
-void say(const FitPlan& plan, const fit::FitGoal& goal, const FitDocuments& documents, bool as_json) {
+void say(const FitPlan& plan, const FitGoal& goal, const FitDocuments& documents, bool as_json) {
     if (plan.out) write(plan.folder_of(goal), documents);
     common::print_result(as_json ? as_text(documents.fit, 2) : fit_as_text(documents.fit));
     if (plan.out && !as_json)
@@ -84,10 +83,10 @@ void fit_all(const FitPlan& plan, const LoadedScene& loaded, const common::Photo
     print_scene_warnings(loaded);
     print_light_warnings(loaded, source);
     print_lightmap_warnings(loaded, prepared);
-    const fit::FitPoints points = fit::find_fit_points(loaded);
+    const FitPoints points = find_fit_points(loaded);
     const FitScene scene{{loaded, source, prepared, points, plan.seed, plan.max_bytes}, with_reference};
-    fit::PilotArchive archive;
-    for (const fit::FitGoal& goal : plan.goals) say(plan, goal, fitted(plan, goal, scene, archive), as_json);
+    PilotArchive archive;
+    for (const FitGoal& goal : plan.goals) say(plan, goal, fitted(plan, goal, scene, archive), as_json);
 }
 
 void fit_all(const FitPlan& plan, bool as_json) {
@@ -103,7 +102,7 @@ void fit_all(const FitPlan& plan, bool as_json) {
 
 void run(const FitOptions& options) {
     if (options.list) {
-        for (const std::string& name : fit::grid_names()) common::print_result(fmt::format("{}\n", name));
+        for (const std::string& name : grid_names()) common::print_result(fmt::format("{}\n", name));
         return;
     }
     const FitPlan plan = make_plan(options);
@@ -124,4 +123,4 @@ const RegisteredCommand registered(
 
 }  // namespace
 
-}  // namespace bench
+}  // namespace bench::fit

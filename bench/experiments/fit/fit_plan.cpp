@@ -11,18 +11,18 @@
 #include "common/core/input_error.h"
 #include "common/gltf/source_files.h"
 
-namespace bench {
+namespace bench::fit {
 namespace {
 
 constexpr double confidence = 0.9;  // of ten runs nine meet the target
 constexpr double tries = 10;        // of a map whose blocks change with its hits: pilots, and fewer hits
 constexpr std::size_t most_seeds = 1000;
 
-fit::FitGoal goal_of(const FitOptions& options, const std::string& target, const std::string& least) {
-    fit::FitGoal goal{.target = parse_percentage("--target", target),
-                      .z = z_for(2 * (1 - confidence)),
-                      .z_of_tries = z_for(2 * (1 - confidence) / tries),
-                      .max_hits = static_cast<double>(parse_count("--max-hits", options.max_hits))};
+FitGoal goal_of(const FitOptions& options, const std::string& target, const std::string& least) {
+    FitGoal goal{.target = parse_percentage("--target", target),
+                 .z = z_for(2 * (1 - confidence)),
+                 .z_of_tries = z_for(2 * (1 - confidence) / tries),
+                 .max_hits = static_cast<double>(parse_count("--max-hits", options.max_hits))};
     if (least != "time" && least != "bytes")
         throw common::InputError(fmt::format("--least: '{}' is neither time nor bytes", least));
     goal.least_bytes = least == "bytes";
@@ -32,8 +32,8 @@ fit::FitGoal goal_of(const FitOptions& options, const std::string& target, const
     return goal;
 }
 
-std::vector<fit::FitGoal> goals_of(const FitOptions& options) {
-    std::vector<fit::FitGoal> goals;
+std::vector<FitGoal> goals_of(const FitOptions& options) {
+    std::vector<FitGoal> goals;
     for (const std::string& target : parse_list("--target", options.targets))
         for (const std::string& least : parse_list("--least", options.least))
             goals.push_back(goal_of(options, target, least));
@@ -43,7 +43,7 @@ std::vector<fit::FitGoal> goals_of(const FitOptions& options) {
 void check_folders(const FitPlan& plan) {
     std::vector<std::filesystem::path> inputs = common::source_files(plan.file);
     if (plan.reference) inputs.push_back(*plan.reference);
-    for (const fit::FitGoal& goal : plan.goals)
+    for (const FitGoal& goal : plan.goals)
         check_results("--out", plan.folder_of(goal),
                       {"fit.json", {"fit.md", "models.json", "explanation.json", "explanation.png"}, {}},
                       inputs);
@@ -51,7 +51,7 @@ void check_folders(const FitPlan& plan) {
 
 }  // namespace
 
-std::filesystem::path FitPlan::folder_of(const fit::FitGoal& goal) const {
+std::filesystem::path FitPlan::folder_of(const FitGoal& goal) const {
     if (goals.size() == 1) return *out;
     return *out / fmt::format("{:g}-{}", 100 * goal.target, goal.least());
 }
@@ -102,8 +102,8 @@ FitPlan make_plan(const FitOptions& options) {
                  .settings = {},
                  .seed = options.run.seed,
                  .threads = options.run.thread_count()};
-    if (plan.pilot_hits < fit::fewest_pilot_hits)
-        throw common::InputError(fmt::format("--pilot: at least {}", fit::fewest_pilot_hits));
+    if (plan.pilot_hits < fewest_pilot_hits)
+        throw common::InputError(fmt::format("--pilot: at least {}", fewest_pilot_hits));
     if (plan.seeds < 1 || plan.seeds > most_seeds)
         throw common::InputError(fmt::format("--seeds: from 1 to {}", most_seeds));
     if (!options.verify.empty()) plan.reference = options.verify;
@@ -115,4 +115,4 @@ FitPlan make_plan(const FitOptions& options) {
     return plan;
 }
 
-}  // namespace bench
+}  // namespace bench::fit

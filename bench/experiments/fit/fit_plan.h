@@ -10,7 +10,7 @@
 #include "bench/setup/run_options.h"
 #include "bench/setup/scene_options.h"
 
-namespace bench {
+namespace bench::fit {
 
 struct FitOptions {
     std::string file, budget_bytes, budget_time, max_hits = "1e9", pilot = "1.28e8";
@@ -26,8 +26,8 @@ struct FitOptions {
 
 struct FitPlan {
     std::string file;
-    std::vector<fit::FitGoal> goals;  ///< each target by each of `least`
-    std::uint64_t pilot_hits;         ///< of each half, at most
+    std::vector<FitGoal> goals;  ///< each target by each of `least`
+    std::uint64_t pilot_hits;    ///< of each half, at most
     std::size_t max_bytes;
     std::optional<std::filesystem::path> reference;  ///< to verify with
     std::size_t seeds;                               ///< runs of each verification
@@ -41,10 +41,10 @@ struct FitPlan {
 
     /// Where the results of a goal go: of several each has a folder of its own, such as 5-time. There is an
     /// `out`.
-    [[nodiscard]] std::filesystem::path folder_of(const fit::FitGoal& goal) const;
+    [[nodiscard]] std::filesystem::path folder_of(const FitGoal& goal) const;
 };
 
 /// Throws InputError for the first option that makes no sense; makes the output folder.
 [[nodiscard]] FitPlan make_plan(const FitOptions& options);
 
-}  // namespace bench
+}  // namespace bench::fit

@@ -10,7 +10,7 @@
 #include "bench/setup/provenance.h"
 #include "common/scene/fingerprint.h"
 
-namespace bench {
+namespace bench::fit {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -33,9 +33,9 @@ constexpr const char* explanation_words =
     "the "
     "middle pixel sees, scene units.";
 
-Json proposal_as_json(const fit::FitResult& result, const fit::Proposal& proposal, double z) {
-    const fit::Candidate& candidate = result.candidates[proposal.candidate];
-    const fit::ErrorModel& model = proposal.model;
+Json proposal_as_json(const FitResult& result, const Proposal& proposal, double z) {
+    const Candidate& candidate = result.candidates[proposal.candidate];
+    const ErrorModel& model = proposal.model;
     const double error_sq = model.error_sq(proposal.hits);
     Json row = {{"method", candidate.name(static_cast<std::uint64_t>(proposal.hits))},
                 {"hits", static_cast<std::uint64_t>(proposal.hits)},
@@ -51,9 +51,9 @@ Json proposal_as_json(const fit::FitResult& result, const fit::Proposal& proposa
     return row;
 }
 
-Json runs_as_json(std::span<const fit::VerifiedRun> runs) {
+Json runs_as_json(std::span<const VerifiedRun> runs) {
     Json all = Json::array();
-    for (const fit::VerifiedRun& run : runs)
+    for (const VerifiedRun& run : runs)
         all.push_back({{"seed", run.seed},
                        {"hits", run.hits},
                        {"error", run.error},
@@ -63,9 +63,9 @@ Json runs_as_json(std::span<const fit::VerifiedRun> runs) {
     return all;
 }
 
-Json choice_as_json(const fit::FitResult& result, const fit::Choice& choice, const fit::FitGoal& goal,
-                    std::span<const fit::VerifiedRun> verified) {
-    Json entry = {{"reached", choice.reached}, {"sure", fit::is_sure(goal, choice)}};
+Json choice_as_json(const FitResult& result, const Choice& choice, const FitGoal& goal,
+                    std::span<const VerifiedRun> verified) {
+    Json entry = {{"reached", choice.reached}, {"sure", is_sure(goal, choice)}};
     if (!choice.reached) entry["reason"] = choice.reason;
     if (choice.reached || choice.proposal.hits > 0)
         entry[choice.reached ? "choice" : "nearest"] = proposal_as_json(result, choice.proposal, goal.z);
@@ -73,32 +73,32 @@ Json choice_as_json(const fit::FitResult& result, const fit::Choice& choice, con
     return entry;
 }
 
-Json rows_of(const fit::FitResult& result, std::span<const fit::Proposal> proposals, double z) {
+Json rows_of(const FitResult& result, std::span<const Proposal> proposals, double z) {
     Json rows = Json::array();
-    for (const fit::Proposal& proposal : proposals.first(std::min(proposals.size(), rows_of_table)))
+    for (const Proposal& proposal : proposals.first(std::min(proposals.size(), rows_of_table)))
         rows.push_back(proposal_as_json(result, proposal, z));
     return rows;
 }
 
 /// Of a candidate's value.
-const char* kind_name(fit::CandidateKind kind) {
+const char* kind_name(CandidateKind kind) {
     switch (kind) {
-        case fit::CandidateKind::light_map:
+        case CandidateKind::light_map:
             return "texels";
-        case fit::CandidateKind::sharing_map:
+        case CandidateKind::sharing_map:
             return "texels that share light";
-        case fit::CandidateKind::adaptive_map:
+        case CandidateKind::adaptive_map:
             return "wanted percent";
-        case fit::CandidateKind::photon_radius:
+        case CandidateKind::photon_radius:
             return "radius";
-        case fit::CandidateKind::photon_share:
+        case CandidateKind::photon_share:
             break;
     }
     return "share";
 }
 
-Json pilot_as_json(const FitPlan& plan, const fit::FitResult& result) {
-    const fit::Finest& finest = result.estimates.finest;
+Json pilot_as_json(const FitPlan& plan, const FitResult& result) {
+    const Finest& finest = result.estimates.finest;
     return {{"hits_of_each_half", result.pilot_hits},
             {"largest_allowed", plan.pilot_hits},
             {"seconds", result.pilot_seconds},
@@ -154,8 +154,8 @@ constexpr std::array<std::pair<const char*, const char*>, 2> kinds = {
 
 }  // namespace
 
-Json fit_as_json(const FitPlan& plan, const fit::FitGoal& goal, const common::Scene& scene,
-                 const fit::FitResult& result, const FitVerification& verified) {
+Json fit_as_json(const FitPlan& plan, const FitGoal& goal, const common::Scene& scene,
+                 const FitResult& result, const FitVerification& verified) {
     Json context = provenance();
     context["threads"] = plan.threads;
     context["settings"] = describe(plan.settings);
@@ -183,12 +183,12 @@ Json fit_as_json(const FitPlan& plan, const fit::FitGoal& goal, const common::Sc
     return document;
 }
 
-Json models_as_json(const fit::FitResult& result) {
+Json models_as_json(const FitResult& result) {
     Json rows = Json::array();
     for (std::size_t i = 0; i < result.candidates.size(); ++i) {
         if (!result.estimates.model[i]) continue;
-        const fit::Candidate& candidate = result.candidates[i];
-        const fit::ErrorModel& model = *result.estimates.model[i];
+        const Candidate& candidate = result.candidates[i];
+        const ErrorModel& model = *result.estimates.model[i];
         rows.push_back({{"chain", candidate.chain()},
                         {"kind", kind_name(candidate.kind)},
                         {"value", candidate.value},
@@ -252,4 +252,4 @@ std::string fit_as_markdown(const Json& document) {
     return text;
 }
 
-}  // namespace bench
+}  // namespace bench::fit

@@ -8,20 +8,20 @@
 #include "bench/experiments/fit/search.h"
 #include "bench/experiments/fit/verify.h"
 
-namespace bench {
+namespace bench::fit {
 
 /// Verified runs of both kinds; empty where there was no reference or nothing was reached.
 struct FitVerification {
-    std::vector<fit::VerifiedRun> light_map, photon_map;
+    std::vector<VerifiedRun> light_map, photon_map;
     double reference_error = 0;  ///< of the reference itself, relative RMS; part of every measured error
 };
 
-[[nodiscard]] nlohmann::ordered_json fit_as_json(const FitPlan& plan, const fit::FitGoal& goal,
-                                                 const common::Scene& scene, const fit::FitResult& result,
+[[nodiscard]] nlohmann::ordered_json fit_as_json(const FitPlan& plan, const FitGoal& goal,
+                                                 const common::Scene& scene, const FitResult& result,
                                                  const FitVerification& verified);
 
 /// The error model of every candidate of which something is known, a row each.
-[[nodiscard]] nlohmann::ordered_json models_as_json(const fit::FitResult& result);
+[[nodiscard]] nlohmann::ordered_json models_as_json(const FitResult& result);
 
 /// For a terminal.
 [[nodiscard]] std::string fit_as_text(const nlohmann::ordered_json& document);
@@ -29,4 +29,4 @@ struct FitVerification {
 /// The same with the cheapest settings of either kind.
 [[nodiscard]] std::string fit_as_markdown(const nlohmann::ordered_json& document);
 
-}  // namespace bench
+}  // namespace bench::fit

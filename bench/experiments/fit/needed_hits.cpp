@@ -22,7 +22,7 @@ double z_of(const FitGoal& goal, const ErrorModel& model) {
     return model.at_pilot_alone ? goal.z_of_tries : goal.z;
 }
 
-std::vector<NeededHits> needed_by_error(const SelfEstimates& estimates, const FitGoal& goal) {
+std::vector<NeededHits> needed_by_error(const Estimates& estimates, const FitGoal& goal) {
     std::vector<NeededHits> needed(estimates.model.size());
     for (std::size_t i = 0; i < needed.size(); ++i) {
         if (!estimates.model[i]) continue;

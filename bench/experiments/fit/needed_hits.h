@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "bench/experiments/fit/self_estimates.h"
+#include "bench/experiments/fit/estimates.h"
 
 namespace bench::fit {
 
@@ -38,6 +38,6 @@ struct NeededHits {
 };
 
 /// In the candidates' order.
-[[nodiscard]] std::vector<NeededHits> needed_by_error(const SelfEstimates& estimates, const FitGoal& goal);
+[[nodiscard]] std::vector<NeededHits> needed_by_error(const Estimates& estimates, const FitGoal& goal);
 
 }  // namespace bench::fit

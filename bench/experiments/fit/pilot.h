@@ -7,7 +7,7 @@
 #include "bench/contenders/trace_into.h"
 #include "bench/experiments/fit/candidates.h"
 #include "bench/experiments/fit/fit_points.h"
-#include "bench/experiments/fit/self_estimate.h"
+#include "bench/experiments/fit/halves.h"
 
 namespace bench::fit {
 

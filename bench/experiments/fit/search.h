@@ -16,7 +16,7 @@ struct SearchLimits {
 /// All that a fit has found out.
 struct FitResult {
     std::vector<Candidate> candidates;
-    SelfEstimates estimates;
+    Estimates estimates;
     std::vector<NeededHits> needed;               ///< in the candidates' order
     std::vector<PilotSample> samples;             ///< in the candidates' order
     std::vector<std::optional<PilotCost>> costs;  ///< in the candidates' order

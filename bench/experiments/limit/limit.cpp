@@ -17,7 +17,7 @@
 #include "common/core/standard_streams.h"
 #include "common/core/threads.h"
 
-namespace bench {
+namespace bench::limit {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -143,4 +143,4 @@ const RegisteredCommand registered(
 
 }  // namespace
 
-}  // namespace bench
+}  // namespace bench::limit

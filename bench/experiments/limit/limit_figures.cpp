@@ -10,7 +10,7 @@
 #include "bench/setup/provenance.h"
 #include "common/scene/fingerprint.h"
 
-namespace bench {
+namespace bench::limit {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -111,4 +111,4 @@ std::string limit_as_text(const LimitSubject& subject, const LimitSeconds& secon
     return text;
 }
 
-}  // namespace bench
+}  // namespace bench::limit

@@ -6,7 +6,7 @@
 
 #include "bench/experiments/limit/limit_parts.h"
 
-namespace bench {
+namespace bench::limit {
 
 /// Over the repetitions.
 struct PairedRatio {
@@ -26,4 +26,4 @@ struct PairedRatio {
 [[nodiscard]] std::string limit_as_text(const LimitSubject& subject, const LimitSeconds& seconds,
                                         int threads);
 
-}  // namespace bench
+}  // namespace bench::limit

@@ -9,7 +9,7 @@
 #include "common/core/interrupt.h"
 #include "common/core/stopwatch.h"
 
-namespace bench {
+namespace bench::limit {
 namespace {
 
 /// The recorded photons, to be traced again.
@@ -87,4 +87,4 @@ LimitSeconds measure_limit(const LimitSubject& subject, std::size_t repetitions,
     return seconds;
 }
 
-}  // namespace bench
+}  // namespace bench::limit

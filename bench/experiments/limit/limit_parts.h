@@ -9,7 +9,7 @@
 #include "bench/contenders/contender.h"
 #include "bench/experiments/limit/recorded_run.h"
 
-namespace bench {
+namespace bench::limit {
 
 enum class LimitPart : std::size_t { single, sorted_single, packet, sorted_packet, null, shlm, photonmap };
 
@@ -41,4 +41,4 @@ void check_answers(const LimitSubject& subject);
 [[nodiscard]] LimitSeconds measure_limit(const LimitSubject& subject, std::size_t repetitions,
                                          const std::function<bool(std::size_t parts_done)>& progress);
 
-}  // namespace bench
+}  // namespace bench::limit

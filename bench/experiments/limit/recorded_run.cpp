@@ -9,7 +9,7 @@
 #include "common/tracer/photon_order.h"
 #include "common/tracer/scatter.h"
 
-namespace bench {
+namespace bench::limit {
 namespace {
 
 using common::PhotonFate;
@@ -93,4 +93,4 @@ std::vector<RayBlock> sorted_blocks(const std::vector<RayBlock>& blocks, const I
     return sorted;
 }
 
-}  // namespace bench
+}  // namespace bench::limit

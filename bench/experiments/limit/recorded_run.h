@@ -8,7 +8,7 @@
 #include "common/tracer/ray_scene.h"
 #include "common/tracer/trace_report.h"
 
-namespace bench {
+namespace bench::limit {
 
 /// Rays that are replayed together: as many as the tracer has photons in a block.
 inline constexpr std::size_t rays_per_block = common::photons_per_block;
@@ -52,4 +52,4 @@ using RecordProgress = std::function<bool(const RecordedRun& so_far)>;
 [[nodiscard]] std::vector<RayBlock> sorted_blocks(const std::vector<RayBlock>& blocks,
                                                   const Imath::Box3f& bounds);
 
-}  // namespace bench
+}  // namespace bench::limit

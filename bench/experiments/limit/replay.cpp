@@ -8,7 +8,7 @@
 
 #include "common/core/interrupt.h"
 
-namespace bench {
+namespace bench::limit {
 namespace {
 
 using common::NearestSurfaces;
@@ -64,4 +64,4 @@ std::uint64_t count_differences(const common::RayScene& rays, std::span<const Ra
     return differences;
 }
 
-}  // namespace bench
+}  // namespace bench::limit

@@ -6,7 +6,7 @@
 
 #include "bench/experiments/limit/recorded_run.h"
 
-namespace bench {
+namespace bench::limit {
 
 /// Both find the nearest surface along every ray, block by block on the threads of the calling arena, and
 /// keep it until the next block: one by one, or in RayScene's packets of neighbours.
@@ -16,4 +16,4 @@ void replay_packets(const common::RayScene& rays, std::span<const RayBlock> bloc
 /// How many rays find another surface in packets than alone, to the last bit: should be 0.
 [[nodiscard]] std::uint64_t count_differences(const common::RayScene& rays, std::span<const RayBlock> blocks);
 
-}  // namespace bench
+}  // namespace bench::limit

@@ -4,7 +4,7 @@
 #include "bench/experiments/micro/subjects.h"
 #include "common/core/threads.h"
 
-namespace bench {
+namespace bench::micro {
 namespace {
 
 constexpr std::uint64_t hits = 1'000'000;
@@ -30,4 +30,4 @@ void register_accumulate_benchmarks(SharedInputs& inputs) {
         }
 }
 
-}  // namespace bench
+}  // namespace bench::micro

@@ -4,7 +4,7 @@
 #include "bench/experiments/micro/subjects.h"
 #include "common/core/threads.h"
 
-namespace bench {
+namespace bench::micro {
 namespace {
 
 /// Begins with fresh memory each time, as a run does; giving it back is not timed.
@@ -45,4 +45,4 @@ void register_append_benchmarks(SharedInputs& inputs) {
     register_append(inputs, "photonmap-flann-incremental", "photonmap/flann-incremental", {1});
 }
 
-}  // namespace bench
+}  // namespace bench::micro

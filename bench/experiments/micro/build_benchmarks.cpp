@@ -5,7 +5,7 @@
 #include "common/core/threads.h"
 #include "common/point_index/flann_index.h"
 
-namespace bench {
+namespace bench::micro {
 namespace {
 
 /// Sorting recorded photons and the index over them. Items: hits.
@@ -84,4 +84,4 @@ void register_build_benchmarks(SharedInputs& inputs) {
             ->UseRealTime();
 }
 
-}  // namespace bench
+}  // namespace bench::micro

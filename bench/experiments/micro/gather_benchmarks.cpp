@@ -8,7 +8,7 @@
 #include "bench/experiments/micro/subjects.h"
 #include "common/core/threads.h"
 
-namespace bench {
+namespace bench::micro {
 namespace {
 
 constexpr std::uint64_t default_hits = 1'000'000;
@@ -154,4 +154,4 @@ void register_gather_benchmarks(SharedInputs& inputs) {
                         of_photon_map);
 }
 
-}  // namespace bench
+}  // namespace bench::micro

@@ -9,24 +9,26 @@
 
 namespace {
 
-void add_context(const bench::SharedInputs& inputs) {
+using namespace bench::micro;
+
+void add_context(const SharedInputs& inputs) {
     const nlohmann::ordered_json facts = bench::provenance();
     for (const char* key : {"machine", "compiler", "flags", "commit"})
         benchmark::AddCustomContext(key, facts[key].get<std::string>());
     benchmark::AddCustomContext("scene", inputs.loaded().name);
-    benchmark::AddCustomContext("seed", std::to_string(bench::micro_seed));
+    benchmark::AddCustomContext("seed", std::to_string(micro_seed));
 }
 
 void run_all() {
-    bench::SharedInputs inputs(SHLMBENCH_MICRO_SCENE);
+    SharedInputs inputs(SHLMBENCH_MICRO_SCENE);
     add_context(inputs);
-    bench::register_sh_benchmarks(inputs);
-    bench::register_trace_benchmarks(inputs);
-    bench::register_accumulate_benchmarks(inputs);
-    bench::register_sums_benchmarks(inputs);
-    bench::register_append_benchmarks(inputs);
-    bench::register_build_benchmarks(inputs);
-    bench::register_gather_benchmarks(inputs);
+    register_sh_benchmarks(inputs);
+    register_trace_benchmarks(inputs);
+    register_accumulate_benchmarks(inputs);
+    register_sums_benchmarks(inputs);
+    register_append_benchmarks(inputs);
+    register_build_benchmarks(inputs);
+    register_gather_benchmarks(inputs);
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
 }

@@ -4,7 +4,7 @@
 #include "bench/experiments/micro/subjects.h"
 #include "shlm/map/sink.h"
 
-namespace bench {
+namespace bench::micro {
 namespace {
 
 constexpr std::uint64_t hits = 10'000;
@@ -42,4 +42,4 @@ void register_sh_benchmarks(SharedInputs& inputs) {
     benchmark::RegisterBenchmark("sh_irradiance", [&](benchmark::State& s) { irradiance(s, inputs); });
 }
 
-}  // namespace bench
+}  // namespace bench::micro

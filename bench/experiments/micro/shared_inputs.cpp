@@ -1,6 +1,6 @@
 #include "bench/experiments/micro/shared_inputs.h"
 
-namespace bench {
+namespace bench::micro {
 namespace {
 
 struct WaveRecorder {
@@ -50,4 +50,4 @@ std::unique_ptr<const Answers> map_of(SharedInputs& inputs, const std::string& c
     return parse_contender("micro", contender)->finish(*store, report).answers;
 }
 
-}  // namespace bench
+}  // namespace bench::micro

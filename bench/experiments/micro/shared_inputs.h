@@ -12,7 +12,7 @@
 #include "bench/setup/query_points.h"
 #include "common/tracer/trace_photons.h"
 
-namespace bench {
+namespace bench::micro {
 
 inline constexpr std::uint64_t micro_seed = 1;
 
@@ -61,4 +61,4 @@ inline void replay(const Recording& recording, Store& store) {
 [[nodiscard]] std::unique_ptr<const Answers> map_of(SharedInputs& inputs, const std::string& contender,
                                                     std::size_t texels, std::uint64_t hits, int times = 1);
 
-}  // namespace bench
+}  // namespace bench::micro

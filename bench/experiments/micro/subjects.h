@@ -4,7 +4,7 @@
 
 #include "bench/experiments/micro/shared_inputs.h"
 
-namespace bench {
+namespace bench::micro {
 
 void register_sh_benchmarks(SharedInputs& inputs);
 void register_trace_benchmarks(SharedInputs& inputs);
@@ -14,4 +14,4 @@ void register_append_benchmarks(SharedInputs& inputs);
 void register_build_benchmarks(SharedInputs& inputs);
 void register_gather_benchmarks(SharedInputs& inputs);
 
-}  // namespace bench
+}  // namespace bench::micro

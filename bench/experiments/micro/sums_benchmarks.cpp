@@ -9,7 +9,7 @@
 #include "common/core/sampling.h"
 #include "shlm/map/sink.h"
 
-namespace bench {
+namespace bench::micro {
 namespace {
 
 using Model = shlm::PaperModel;
@@ -74,4 +74,4 @@ void register_sums_benchmarks(SharedInputs&) {
     register_format<shlm::TexelSums<Model>>("int32-into-int64");
 }
 
-}  // namespace bench
+}  // namespace bench::micro

@@ -4,7 +4,7 @@
 #include "bench/experiments/micro/subjects.h"
 #include "common/core/threads.h"
 
-namespace bench {
+namespace bench::micro {
 namespace {
 
 /// `trace` gives a report of a run.
@@ -38,4 +38,4 @@ void register_trace_benchmarks(SharedInputs& inputs) {
     }
 }
 
-}  // namespace bench
+}  // namespace bench::micro

@@ -4,7 +4,7 @@
 #include "bench/experiments/stability/known_light.h"
 #include "common/tracer/ray_scene.h"
 
-namespace bench {
+namespace bench::stability {
 
 enum class Aim { vertices, edges, anywhere };
 
@@ -61,4 +61,4 @@ template <class Nearest>
     return static_cast<double>(escaped) / static_cast<double>(found.triangle.size());
 }
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -3,7 +3,7 @@
 
 #include "bench/experiments/stability/known_light.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// A closed box with a light in its middle, so that a sixth of all hits of any order is on each wall. So many
 /// of the walls have no lightmap coordinates, and so many others show their backs.
@@ -31,4 +31,4 @@ struct FaultyBox {
     }
 };
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bench {
+namespace bench::stability {
 
 /// A float's sum of `count` times `value`, each added to what is there. Between two powers of two floats are
 /// one step apart, and an add moves the sum by `value` rounded to whole steps, a half to even ones: by more
@@ -26,4 +26,4 @@ namespace bench {
 /// + 1/4...
 inline constexpr double allowed_of_float_sum = 0x1p-22;
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -1,6 +1,6 @@
 #include "bench/experiments/stability/floor_light.h"
 
-namespace bench {
+namespace bench::stability {
 
 common::Scene square_floor(double width) {
     const auto w = static_cast<float>(width);
@@ -29,4 +29,4 @@ std::vector<common::SurfacePoint> points_across(const common::Scene& scene, std:
     return points;
 }
 
-}  // namespace bench
+}  // namespace bench::stability

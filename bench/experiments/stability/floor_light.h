@@ -3,7 +3,7 @@
 
 #include "bench/experiments/stability/known_light.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// At z = 0 around the origin, one quad (scene_builder.h) that faces up, u along x and v along y.
 [[nodiscard]] common::Scene square_floor(double width);
@@ -29,4 +29,4 @@ template <class IsLit>
     return lit;
 }
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -1,6 +1,6 @@
 #include "bench/experiments/stability/known_light.h"
 
-namespace bench {
+namespace bench::stability {
 
 photonmap::FlannPhotonSink::Map photon_map_of(const common::Scene& scene, const common::HitBatch& hits,
                                               const photonmap::GatherSettings& gather) {
@@ -45,4 +45,4 @@ template shlm::HarmonicMap<HarmonicModel<2>> light_map_of<HarmonicModel<2>>(Texe
 template shlm::HarmonicMap<HarmonicModel<4>> light_map_of<HarmonicModel<4>>(Texels, Hits, How, std::uint64_t);
 template shlm::HarmonicMap<Normalised> light_map_of<Normalised>(Texels, Hits, How, std::uint64_t);
 
-}  // namespace bench
+}  // namespace bench::stability

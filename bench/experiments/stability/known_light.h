@@ -7,7 +7,7 @@
 #include "photonmap/photon_sinks.h"
 #include "shlm/map/sink.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// What a traditional light map stores: the surface's irradiance alone, without error of a series.
 using FlatModel = shlm::TexelModel<0, shlm::ShWeight::normalised>;
@@ -91,4 +91,4 @@ template <common::IrradianceEstimator Map>
     return sum / static_cast<double>(points.size());
 }
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -6,7 +6,7 @@
 
 #include "common/core/vector.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// Halves its points at their median, along x, y and z by turns (Bentley 1975). Equal coordinates fall to
 /// both sides of a plane that is at them.
@@ -56,4 +56,4 @@ class MedianTree {
     std::vector<common::Vec3> points_;
 };
 
-}  // namespace bench
+}  // namespace bench::stability

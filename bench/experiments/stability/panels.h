@@ -6,7 +6,7 @@
 #include "common/core/vector.h"
 #include "common/image/image.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// `answers(x, y)` has one color for each panel; x and y go from 0 to 1, right and down.
 template <std::size_t Panels, class Answers>
@@ -23,4 +23,4 @@ template <std::size_t Panels, class Answers>
     return image;
 }
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -7,7 +7,7 @@
 #include "common/scene/scene.h"
 #include "common/tracer/embree.h"
 
-namespace bench {
+namespace bench::stability {
 
 class PlainEmbree {
   public:
@@ -48,4 +48,4 @@ class PlainEmbree {
     std::unique_ptr<RTCSceneTy, decltype(&rtcReleaseScene)> scene_;
 };
 
-}  // namespace bench
+}  // namespace bench::stability

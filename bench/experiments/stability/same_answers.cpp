@@ -1,6 +1,6 @@
 #include "bench/experiments/stability/same_answers.h"
 
-namespace bench {
+namespace bench::stability {
 
 BoxAnswers answers_in_box(const common::Scene& box, const shlm::PreparedTexels& texels,
                           const common::HitBatch& hits, double max_radius, float factor,
@@ -40,4 +40,4 @@ void measure_differences(std::span<StabilityCurve> curves, std::size_t point, co
     }
 }
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -4,7 +4,7 @@
 #include "bench/experiments/stability/known_light.h"
 #include "bench/experiments/stability/stability_case.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// BoxAnswers of both methods to the same questions.
 using BoxAnswers = std::array<std::vector<float>, 4>;
@@ -25,4 +25,4 @@ inline constexpr std::array answering = {"photon map, flann", "photon map, compa
 void measure_differences(std::span<StabilityCurve> curves, std::size_t point, const BoxAnswers& a,
                          const BoxAnswers& b);
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -6,7 +6,7 @@
 #include "bench/experiments/stability/known_light.h"
 #include "bench/experiments/stability/unit_floor.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// As many as intervals of mean 1, exponentially distributed, fit into `mean` (Knuth 1969, 3.4.1).
 [[nodiscard]] inline std::size_t poisson(double mean, Generator& generator) {
@@ -120,4 +120,4 @@ template <common::IrradianceEstimator Map, class Use>
     return sum / static_cast<double>(points.size());
 }
 
-}  // namespace bench
+}  // namespace bench::stability

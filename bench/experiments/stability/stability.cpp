@@ -20,7 +20,7 @@
 #include "common/core/stopwatch.h"
 #include "common/core/threads.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 namespace fs = std::filesystem;
@@ -150,4 +150,4 @@ const RegisteredCommand registered(
 
 }  // namespace
 
-}  // namespace bench
+}  // namespace bench::stability

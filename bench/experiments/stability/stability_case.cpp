@@ -4,7 +4,7 @@
 
 #include "bench/setup/register_once.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 std::map<int, StabilityCase>& registered_cases() {
@@ -24,4 +24,4 @@ std::vector<const StabilityCase*> stability_cases() {
     return cases;
 }
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -12,7 +12,7 @@
 
 #include "common/image/image.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// How one run of a case is done.
 class CaseRun {
@@ -112,4 +112,4 @@ class RegisteredCase {
     RegisteredCase(int number, const StabilityCase& stability_case);
 };
 
-}  // namespace bench
+}  // namespace bench::stability

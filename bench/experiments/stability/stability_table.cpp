@@ -4,7 +4,7 @@
 
 #include "bench/experiments/stability/verdict.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -146,4 +146,4 @@ std::string cases_as_markdown(const Json& document) {
     return text;
 }
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -5,7 +5,7 @@
 
 #include "bench/experiments/stability/stability_case.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// All that a reader or a chart needs of one case: its texts, the curves with mean, 95 % confidence and band
 /// of each point, and whether it has passed.
@@ -19,4 +19,4 @@ namespace bench {
 /// The same with all texts, tables and charts, in Markdown. `rows`: in the order of the cases.
 [[nodiscard]] std::string cases_as_markdown(const nlohmann::ordered_json& document);
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-namespace bench {
+namespace bench::stability {
 
 /// The part of a disc that lies beyond a straight line at `t` radii from its center; where t < 0 the center
 /// does too.
@@ -43,4 +43,4 @@ template <class Value>
     return (near[0].second + near[1].second + near[2].second + near[3].second) / 4;
 }
 
-}  // namespace bench
+}  // namespace bench::stability

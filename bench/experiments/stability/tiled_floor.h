@@ -3,7 +3,7 @@
 
 #include "bench/experiments/stability/known_light.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// 1 x 1 in the plane z = 0, cut into `cells` x `cells` squares of two triangles each, as in
 /// scene_builder::quad. `texels_along` x `texels_along` texels lie across it.
@@ -62,4 +62,4 @@ struct TiledFloor {
     }
 };
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -1,6 +1,6 @@
 #include "bench/experiments/stability/traced_light.h"
 
-namespace bench {
+namespace bench::stability {
 
 double light_in_photons(const common::HitBatch& hits) {
     photonmap::PhotonStorage storage;
@@ -16,4 +16,4 @@ common::Scene lit_box(float albedo) {
     return scene;
 }
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -4,7 +4,7 @@
 #include "bench/experiments/stability/known_light.h"
 #include "bench/setup/traced_hits.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// Flux of all photons that a photon map takes, as HitBatch::flux.
 [[nodiscard]] double light_in_photons(const common::HitBatch& hits);
@@ -23,4 +23,4 @@ template <shlm::ShWeight Weight = shlm::ShWeight::normalised>
 /// A closed box of side 2 around the origin with walls of this albedo and a point light of 4 pi W inside.
 [[nodiscard]] common::Scene lit_box(float albedo);
 
-}  // namespace bench
+}  // namespace bench::stability

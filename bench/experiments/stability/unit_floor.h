@@ -3,7 +3,7 @@
 
 #include "bench/setup/scene_builder.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// A white floor from (0, 0) to (1, 1) at height 0, facing up.
 [[nodiscard]] inline const common::Scene& unit_floor() {
@@ -20,4 +20,4 @@ namespace bench {
     return scene_builder::front_of(unit_floor(), scene_builder::on_quad(0, s, t));
 }
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -4,7 +4,7 @@
 
 #include "bench/setup/significance.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 double mean_of(std::span<const double> values) {
@@ -57,4 +57,4 @@ bool passes(std::span<const StabilityCurve> curves, std::size_t cases) {
     return judged_points(curves) > 0;
 }
 
-}  // namespace bench
+}  // namespace bench::stability

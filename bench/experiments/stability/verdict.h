@@ -3,7 +3,7 @@
 
 #include "bench/experiments/stability/stability_case.h"
 
-namespace bench {
+namespace bench::stability {
 
 /// Chance that a sound program fails any point of any case by accident, for all cases together.
 inline constexpr double family_false_alarms = 1e-3;
@@ -26,4 +26,4 @@ struct PointVerdict {
 /// Whether all judged points pass, and there is one.
 [[nodiscard]] bool passes(std::span<const StabilityCurve> curves, std::size_t cases);
 
-}  // namespace bench
+}  // namespace bench::stability

@@ -16,7 +16,7 @@
 #include "common/core/standard_streams.h"
 #include "common/core/threads.h"
 
-namespace bench {
+namespace bench::study {
 namespace {
 
 /// A folder of this process's own, gone with all that is in it.
@@ -111,4 +111,4 @@ const RegisteredCommand registered(
 
 }  // namespace
 
-}  // namespace bench
+}  // namespace bench::study

@@ -11,7 +11,7 @@
 #include "common/core/input_error.h"
 #include "common/gltf/source_files.h"
 
-namespace bench {
+namespace bench::study {
 namespace {
 
 std::vector<Contender> grouped_by_store(std::vector<Contender> methods) {
@@ -80,4 +80,4 @@ StudyPlan make_plan(const StudyOptions& options) {
     return plan;
 }
 
-}  // namespace bench
+}  // namespace bench::study

@@ -9,7 +9,7 @@
 #include "bench/setup/command.h"
 #include "bench/setup/run_options.h"
 
-namespace bench {
+namespace bench::study {
 
 struct StudyOptions {
     std::vector<std::string> files;
@@ -72,4 +72,4 @@ struct StudyPlan {
 /// Throws InputError for the first option that makes no sense; makes the output folder.
 [[nodiscard]] StudyPlan make_plan(const StudyOptions& options);
 
-}  // namespace bench
+}  // namespace bench::study

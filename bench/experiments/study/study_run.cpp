@@ -15,7 +15,7 @@
 #include "common/core/progress.h"
 #include "common/core/stopwatch.h"
 
-namespace bench {
+namespace bench::study {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -141,4 +141,4 @@ StudyRun run_study(const StudyPlan& plan, ReferenceScene& scene, const std::vect
     return run;
 }
 
-}  // namespace bench
+}  // namespace bench::study

@@ -7,7 +7,7 @@
 #include "bench/contenders/reference_scene.h"
 #include "bench/experiments/study/study_plan.h"
 
-namespace bench {
+namespace bench::study {
 
 struct StudyRun {
     std::vector<nlohmann::ordered_json> rows;  ///< one per method, measured or skipped
@@ -19,4 +19,4 @@ struct StudyRun {
                                  const std::vector<Contender>& methods, std::uint64_t hits,
                                  std::uint64_t seed);
 
-}  // namespace bench
+}  // namespace bench::study

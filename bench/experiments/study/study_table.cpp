@@ -8,7 +8,7 @@
 #include "common/core/input_error.h"
 #include "common/core/standard_streams.h"
 
-namespace bench {
+namespace bench::study {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -94,4 +94,4 @@ void StudyTable::write() const {
     write_text(file_, document_.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-}  // namespace bench
+}  // namespace bench::study

@@ -9,7 +9,7 @@
 
 #include "bench/experiments/study/study_plan.h"
 
-namespace bench {
+namespace bench::study {
 
 /// Begins with what an earlier run has left in the folder, so that a study can be stopped and gone on with,
 /// or extended by scenes, methods, sizes and seeds.
@@ -50,4 +50,4 @@ class StudyTable {
     std::set<Key> present_;  ///< scene, method, hits asked, seed
 };
 
-}  // namespace bench
+}  // namespace bench::study

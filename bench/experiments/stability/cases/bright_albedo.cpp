@@ -2,7 +2,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/traced_light.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 /// Arrivals of a photon that each wall reflects with probability `albedo`, on average: 1 + albedo + albedo^2
@@ -64,4 +64,4 @@ const RegisteredCase registered(
           .logarithmic_swept = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

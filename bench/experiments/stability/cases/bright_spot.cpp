@@ -4,7 +4,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/theory.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -131,4 +131,4 @@ const RegisteredCase registered(
      .picture = picture});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

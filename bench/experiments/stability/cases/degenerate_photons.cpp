@@ -5,7 +5,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/unit_floor.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::HitBatch;
@@ -166,4 +166,4 @@ const RegisteredCase registered(
      .run = run});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -2,7 +2,7 @@
 #include "bench/experiments/stability/same_answers.h"
 #include "bench/experiments/stability/traced_light.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 /// Powers of two, of which floats scale without rounding.
@@ -61,4 +61,4 @@ const RegisteredCase registered(
      .logarithmic_swept = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

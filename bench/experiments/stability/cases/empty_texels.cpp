@@ -3,7 +3,7 @@
 #include "bench/experiments/stability/sparse_hits.h"
 #include "bench/experiments/stability/stability_case.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::SurfacePoint;
@@ -141,4 +141,4 @@ const RegisteredCase registered(
      .picture = picture});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -7,7 +7,7 @@
 #include "photonmap/index/nanoflann_index.h"
 #include "photonmap/index/nearest_selection.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::Vec3;
@@ -133,4 +133,4 @@ const RegisteredCase registered(
      .logarithmic_swept = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -5,7 +5,7 @@
 #include "bench/experiments/stability/tiled_floor.h"
 #include "shlm/layout/face_charts.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 constexpr int texels_along = 20;
@@ -103,4 +103,4 @@ const RegisteredCase registered(
      .logarithmic_measured = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -2,7 +2,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/traced_light.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::Vec3;
@@ -83,4 +83,4 @@ const RegisteredCase registered(
      .logarithmic_measured = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

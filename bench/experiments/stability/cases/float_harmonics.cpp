@@ -6,7 +6,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "shlm/basis/texel_model.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using Model = shlm::TexelModel<1, shlm::ShWeight::radiance>;
@@ -82,4 +82,4 @@ const RegisteredCase registered(
      .logarithmic_swept = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

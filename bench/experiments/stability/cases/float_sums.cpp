@@ -5,7 +5,7 @@
 #include "bench/experiments/stability/known_light.h"
 #include "bench/experiments/stability/stability_case.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using Floats = PlainSums<FlatModel, float>;
@@ -129,4 +129,4 @@ const RegisteredCase registered(
      .logarithmic_measured = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

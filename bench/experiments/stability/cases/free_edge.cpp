@@ -5,7 +5,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/theory.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::SurfacePoint;
@@ -97,4 +97,4 @@ const RegisteredCase registered(
      .run = run});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

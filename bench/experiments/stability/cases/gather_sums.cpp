@@ -4,7 +4,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/unit_floor.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::Rgb;
@@ -82,4 +82,4 @@ const RegisteredCase registered(
      .logarithmic_swept = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -6,7 +6,7 @@
 #include "bench/experiments/stability/theory.h"
 #include "bench/experiments/stability/unit_floor.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::HitBatch;
@@ -157,4 +157,4 @@ const RegisteredCase registered(
      .logarithmic_measured = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

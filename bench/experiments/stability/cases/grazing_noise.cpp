@@ -5,7 +5,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/unit_floor.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::HitBatch;
@@ -164,4 +164,4 @@ const RegisteredCase registered(
      .logarithmic_measured = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -4,7 +4,7 @@
 #include "bench/experiments/stability/floor_light.h"
 #include "bench/experiments/stability/stability_case.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 constexpr double width = 2;
@@ -105,4 +105,4 @@ const RegisteredCase registered(
      .logarithmic_swept = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

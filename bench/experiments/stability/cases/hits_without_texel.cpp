@@ -2,8 +2,9 @@
 #include "bench/experiments/stability/faulty_box.h"
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/setup/traced_hits.h"
+#include "common/tracer/rejected_hits.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::HitBatch;
@@ -101,7 +102,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
                        stores = static_cast<double>(everyone.size());
             const double measured[] = {stored / (stores - 2) / offered,
                                        static_cast<double>(light_map.stored) / offered,
-                                       static_cast<double>(light_map.rejected.without_lightmap_uv) / offered,
+                                       static_cast<double>(light_map.rejected.without_texel) / offered,
                                        static_cast<double>(light_map.rejected.back_of_single_sided) / offered,
                                        static_cast<double>(by_face.stored) / offered,
                                        not_finite / stores / broken,
@@ -132,4 +133,4 @@ const RegisteredCase registered(
      .run = run});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -5,7 +5,7 @@
 #include "bench/experiments/stability/known_light.h"
 #include "bench/experiments/stability/stability_case.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::Vec3;
@@ -149,4 +149,4 @@ const RegisteredCase registered(
      .run = run});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

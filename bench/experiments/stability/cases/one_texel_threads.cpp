@@ -10,7 +10,7 @@
 #include "common/core/stopwatch.h"
 #include "common/core/threads.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::HitBatch;
@@ -139,4 +139,4 @@ const RegisteredCase registered(
      .run = run});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -4,7 +4,7 @@
 #include "bench/experiments/stability/known_light.h"
 #include "bench/experiments/stability/stability_case.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::SurfacePoint;
@@ -154,4 +154,4 @@ const RegisteredCase registered(
      .run = run});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

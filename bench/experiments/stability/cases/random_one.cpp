@@ -6,7 +6,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "common/core/random.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 constexpr double draws = 1e9;
@@ -79,4 +79,4 @@ const RegisteredCase registered(
      .run = run});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

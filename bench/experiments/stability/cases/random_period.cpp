@@ -6,7 +6,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "common/core/random.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 /// C++'s std::minstd_rand: x becomes 48271 x modulo the prime 2^31 - 1, through all 2^31 - 2 values but 0.
@@ -102,4 +102,4 @@ const RegisteredCase registered(
      .logarithmic_swept = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

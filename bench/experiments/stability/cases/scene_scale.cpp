@@ -2,7 +2,7 @@
 #include "bench/experiments/stability/same_answers.h"
 #include "bench/experiments/stability/traced_light.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::Vec3;
@@ -77,4 +77,4 @@ const RegisteredCase registered(
      .logarithmic_swept = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

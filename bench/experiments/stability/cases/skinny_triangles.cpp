@@ -3,7 +3,7 @@
 #include "bench/experiments/stability/plain_embree.h"
 #include "bench/experiments/stability/stability_case.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 /// A corridor, skew, so that no coordinate is exact: each wall of two triangles as long as it is.
@@ -84,4 +84,4 @@ const RegisteredCase registered(
      .logarithmic_measured = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -6,7 +6,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/traced_light.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using scene_builder::Material;
@@ -208,4 +208,4 @@ const RegisteredCase registered(
      .logarithmic_swept = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -2,7 +2,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/tiled_floor.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::SurfaceId;
@@ -127,4 +127,4 @@ const RegisteredCase registered(
      .logarithmic_swept = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

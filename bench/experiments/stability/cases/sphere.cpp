@@ -3,7 +3,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "common/tracer/ray_scene.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::Vec3;
@@ -123,4 +123,4 @@ const RegisteredCase registered(
      .run = run});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -2,7 +2,7 @@
 #include "bench/experiments/stability/floor_light.h"
 #include "bench/experiments/stability/stability_case.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::HitBatch;
@@ -98,4 +98,4 @@ const RegisteredCase registered(
      .logarithmic_measured = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

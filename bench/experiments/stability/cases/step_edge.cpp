@@ -3,7 +3,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/theory.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 constexpr double width = 8, radius = 1;  ///< a texel is 1 wide
@@ -113,4 +113,4 @@ const RegisteredCase registered(
      .run = run});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -3,7 +3,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/theory.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 using common::SurfacePoint;
@@ -119,4 +119,4 @@ const RegisteredCase registered(
          .run = run});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -3,7 +3,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/theory.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 constexpr double width = 2, radius = 0.1;
@@ -118,4 +118,4 @@ const RegisteredCase registered(
      .logarithmic_measured = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

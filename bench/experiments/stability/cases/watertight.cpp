@@ -3,7 +3,7 @@
 #include "bench/experiments/stability/plain_embree.h"
 #include "bench/experiments/stability/stability_case.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 /// As its name says, but for so many missing triangles.
@@ -96,4 +96,4 @@ const RegisteredCase registered(
      .logarithmic_swept = true});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

@@ -2,7 +2,7 @@
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/traced_light.h"
 
-namespace bench {
+namespace bench::stability {
 namespace {
 
 // Between the first two, so few photons would be given up that a run may have none.
@@ -84,4 +84,4 @@ const RegisteredCase registered(
      .run = run});
 
 }  // namespace
-}  // namespace bench
+}  // namespace bench::stability

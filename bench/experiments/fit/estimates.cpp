@@ -1,4 +1,4 @@
-#include "bench/experiments/fit/self_estimates.h"
+#include "bench/experiments/fit/estimates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,12 +142,12 @@ ErrorModel model_of(std::size_t i, Candidates candidates, Samples samples, const
             .at_pilot_alone = candidates[i].changes_with_hits()};
 }
 
-std::optional<SelfEstimates> estimate_by(Candidates candidates, Samples samples, const Measure& measure,
-                                         std::span<const common::Rgb> best_answers,
-                                         std::optional<std::size_t> probe) {
+std::optional<Estimates> estimate_by(Candidates candidates, Samples samples, const Measure& measure,
+                                     std::span<const common::Rgb> best_answers,
+                                     std::optional<std::size_t> probe) {
     const auto finest = find_finest(candidates, samples, measure, probe);
     if (!finest) return std::nullopt;
-    SelfEstimates estimates;
+    Estimates estimates;
     estimates.finest = *finest;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -195,12 +195,12 @@ std::optional<std::size_t> find_probe(std::span<const std::optional<ErrorModel>>
 
 }  // namespace
 
-std::optional<SelfEstimates> estimate_errors(Candidates candidates, Samples samples, const FitPoints& points,
-                                             double wanted_error, double z) {
+std::optional<Estimates> estimate_errors(Candidates candidates, Samples samples, const FitPoints& points,
+                                         double wanted_error, double z) {
     const auto guess = first_guess(candidates, samples);
     if (!guess) return std::nullopt;
     std::vector<common::Rgb> best = mean_of(samples[*guess].halves);
-    std::optional<SelfEstimates> estimates;
+    std::optional<Estimates> estimates;
     std::optional<std::size_t> probe;
     for (int pass = 0; pass < 2; ++pass) {
         estimates = estimate_by(candidates, samples, Measure(best, points.tile, points.tiling), best, probe);

@@ -1,4 +1,4 @@
-#include "bench/experiments/fit/self_estimate.h"
+#include "bench/experiments/fit/halves.h"
 
 #include <cmath>
 

@@ -35,7 +35,7 @@ struct Finest {
 
 /// Models in the candidates' order: none where nothing is known. `best` answers with the least expected
 /// error.
-struct SelfEstimates {
+struct Estimates {
     Finest finest;
     std::size_t best = 0;
     std::vector<common::Rgb> best_answers;
@@ -47,9 +47,9 @@ struct SelfEstimates {
 /// counts more than others. `z`: how many standard errors an estimate of bias is to be trusted by. Samples
 /// are in the candidates' order. None where the pilot was too small to measure any light map with four times
 /// the texels of another.
-[[nodiscard]] std::optional<SelfEstimates> estimate_errors(std::span<const Candidate> candidates,
-                                                           std::span<const PilotSample> samples,
-                                                           const FitPoints& points, double wanted_error,
-                                                           double z);
+[[nodiscard]] std::optional<Estimates> estimate_errors(std::span<const Candidate> candidates,
+                                                       std::span<const PilotSample> samples,
+                                                       const FitPoints& points, double wanted_error,
+                                                       double z);
 
 }  // namespace bench::fit

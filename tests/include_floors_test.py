@@ -23,8 +23,7 @@ FLOORS = [
     ["shlm/file", "shlm/adaptive"],
     ["bench/setup"],
     ["bench/contenders"],
-    ["bench/contenders/engines", "bench/contenders/bases", "bench/experiments/bases", "bench/experiments/compare", "bench/experiments/fit"]
-    + ["bench/experiments/limit", "bench/experiments/micro", "bench/experiments/stability", "bench/experiments/study"],
+    ["bench/contenders/engines", "bench/contenders/bases"] + [f"bench/experiments/{folder.name}" for folder in (ROOT / "bench/experiments").iterdir()],
     ["bench/experiments/stability/cases"],
     ["bench/app"],
 ]

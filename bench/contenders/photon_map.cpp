@@ -93,6 +93,12 @@ RegisteredEngine::RegisteredEngine(int place, const PhotonMapEngine& engine) {
     register_once(engines(), place, engine);
 }
 
+std::vector<PhotonMapEngine> photon_map_engines() {
+    std::vector<PhotonMapEngine> all;
+    for (const auto& [place, engine] : engines()) all.push_back(engine);
+    return all;
+}
+
 std::string PhotonMapTechnique::name() const {
     return fmt::format("photonmap/{}/{}/{}", engine_->name, name_of(selection_),
                        kernel_names[static_cast<std::size_t>(kernel_)]);

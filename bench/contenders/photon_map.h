@@ -19,6 +19,7 @@ struct PhotonMapEngine {
     double bytes_per_hit;  ///< at its fullest: while the photons are sorted, or with the index
     std::size_t most_photons;
     bool for_one_radius = false;  ///< its index is made for the gather's radius
+    bool grows = false;           ///< photons are inserted one by one: nothing is left to build at the end
     std::unique_ptr<PhotonMapStore> (*make_store)(const common::Scene& scene,
                                                   const photonmap::GatherSettings& gather,
                                                   const common::CoveringSurfaces* covers);
@@ -30,6 +31,9 @@ class RegisteredEngine {
     /// `place`: where it is told of among the others, each its own; the first is the default.
     RegisteredEngine(int place, const PhotonMapEngine& engine);
 };
+
+/// Those that are registered, in the order of their places.
+[[nodiscard]] std::vector<PhotonMapEngine> photon_map_engines();
 
 /// photonmap / ENGINE / kK kFACTORn23 rFRACTION / disc cone epanechnikov
 class PhotonMapTechnique final : public Technique {
@@ -47,7 +51,7 @@ class PhotonMapTechnique final : public Technique {
     std::string store_key() const override;
     double needed_bytes(const ContenderSettings& settings, std::uint64_t hits) const override;
     std::size_t most_photons() const override { return engine_->most_photons; }
-    void prepare(PreparedScene& scene) const override { (void)scene.covers(); }
+    Preparation prepare(PreparedScene& scene) const override { return scene.preparation_of_covers(); }
     std::unique_ptr<Store> make_store(PreparedScene& scene, const common::PhotonSource&) const override;
     FinishedMap finish(Store& store, const common::TraceReport& trace) const override;
 

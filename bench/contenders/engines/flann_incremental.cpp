@@ -12,6 +12,7 @@ const RegisteredEngine registered(
         .style = {"#7a5ea8", "s"},
         .bytes_per_hit = photon_bytes + tree_bytes,
         .most_photons = common::max_flann_points,
+        .grows = true,
         .make_store = make_photon_map_store<photonmap::FlannIncrementalPhotonSink>});
 
 }  // namespace

@@ -1,6 +1,7 @@
 // From what tracing has stored to what a gather needs.
 #include <benchmark/benchmark.h>
 
+#include "bench/contenders/photon_map.h"
 #include "bench/experiments/micro/subjects.h"
 #include "common/core/threads.h"
 #include "common/point_index/flann_index.h"
@@ -55,7 +56,7 @@ void build_light_map(benchmark::State& state, SharedInputs& inputs, std::size_t 
                             static_cast<std::int64_t>(named->texel_count(inputs.prepared(texels))));
 }
 
-void register_photon_map(SharedInputs& inputs, const char* engine) {
+void register_photon_map(SharedInputs& inputs, const std::string& engine) {
     for (const std::uint64_t hits : {10'000u, 100'000u, 1'000'000u, 10'000'000u})
         for (const int threads : {1, 2})
             benchmark::RegisterBenchmark(
@@ -69,14 +70,12 @@ void register_photon_map(SharedInputs& inputs, const char* engine) {
 }  // namespace
 
 void register_build_benchmarks(SharedInputs& inputs) {
-    register_photon_map(inputs, "flann");
+    for (const PhotonMapEngine& engine : photon_map_engines())
+        if (!engine.grows) register_photon_map(inputs, engine.name);
     for (const std::uint64_t hits : {1'000'000u, 10'000'000u})
         benchmark::RegisterBenchmark(
             fmt::format("build/flann-unsorted/hits:{}", hits).c_str(),
             [&inputs, hits](benchmark::State& s) { build_flann_unsorted(s, inputs, hits); });
-    register_photon_map(inputs, "nanoflann");
-    register_photon_map(inputs, "compact");
-    register_photon_map(inputs, "grid");
     for (const std::size_t texels : {4'096u, 65'536u, 262'144u, 1'048'576u})
         benchmark::RegisterBenchmark(
             fmt::format("build/shlm/texels:{}", texels).c_str(),

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "bench/contenders/photon_map.h"
 #include "bench/experiments/micro/subjects.h"
 #include "common/core/threads.h"
 
@@ -12,6 +13,7 @@ namespace bench::micro {
 namespace {
 
 constexpr std::uint64_t default_hits = 1'000'000;
+constexpr const char* radius = "r0.003";
 using shlm::default_texels;
 
 double sum_of_irradiance(const Answers& map, std::span<const common::SurfacePoint> points) {
@@ -126,17 +128,20 @@ void register_gather_benchmarks(SharedInputs& inputs) {
     };
     const auto of_photon_map = mean_of(photon_map("photonmap/flann", default_hits));
     const auto of_light_map = mean_of(light_map(default_texels));
+    const auto register_photon_map = [&](const std::string& engine, const std::string& gather,
+                                         std::uint64_t hits) {
+        const bool said = !gather.empty();
+        register_gather(
+            inputs, fmt::format("gather/photonmap-{}{}{}/hits:{}", engine, said ? "-" : "", gather, hits),
+            photon_map(fmt::format("photonmap/{}{}{}", engine, said ? "/" : "", gather), hits), of_light_map);
+    };
     // With fewer hits the photon map darkens edges by more than the 5 %.
-    for (const std::uint64_t hits : {100'000ul, default_hits, 4 * default_hits})
-        for (const char* engine : {"flann", "compact"})
-            register_gather(inputs, fmt::format("gather/photonmap-{}/hits:{}", engine, hits),
-                            photon_map(fmt::format("photonmap/{}", engine), hits), of_light_map);
-    for (const std::uint64_t hits : {default_hits, 4 * default_hits})
-        for (const auto& [name, contender] : {std::pair("nanoflann", "photonmap/nanoflann"),
-                                              std::pair("grid-r0.003", "photonmap/grid/r0.003"),
-                                              std::pair("flann-r0.003", "photonmap/flann/r0.003")})
-            register_gather(inputs, fmt::format("gather/photonmap-{}/hits:{}", name, hits),
-                            photon_map(contender, hits), of_light_map);
+    for (const char* engine : {"flann", "compact"}) register_photon_map(engine, "", 100'000);
+    for (const std::uint64_t hits : {default_hits, 4 * default_hits}) {
+        for (const PhotonMapEngine& engine : photon_map_engines())
+            if (!engine.grows) register_photon_map(engine.name, engine.for_one_radius ? radius : "", hits);
+        register_photon_map("flann", radius, hits);
+    }
     register_gather_in_parallel(inputs, fmt::format("gather/photonmap-compact/hits:{}", default_hits),
                                 photon_map("photonmap/compact", default_hits));
     register_gather_in_parallel(inputs, fmt::format("gather/shlm/texels:{}", default_texels),

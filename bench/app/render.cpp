@@ -154,7 +154,7 @@ void run(const RenderOptions& options) {
         const LoadedScene loaded(options.file, options.scene);
         const common::PhotonSource source(loaded.rays);
         PreparedScene prepared(loaded, plan.settings);
-        plan.method->prepare(prepared);  // what cannot be done is said before what is doubtful
+        (void)plan.method->prepare(prepared);  // what cannot be done is said before what is doubtful
         const auto print_warnings = [&] {
             print_scene_warnings(loaded);
             print_light_warnings(loaded, source);

@@ -227,7 +227,7 @@ void run(const TraceOptions& options) {
         const LoadedScene loaded(options.file, options.scene);
         const common::PhotonSource source(loaded.rays);
         PreparedScene prepared(loaded, plan.settings);
-        plan.method->prepare(prepared);
+        (void)plan.method->prepare(prepared);
         MapTrace traced(plan, plan.method.light_map()->identity(prepared, source, options.run.seed), prepared,
                         source);
         print_scene_warnings(loaded);

@@ -47,9 +47,9 @@ class Technique {
     /// Photons that it can count.
     [[nodiscard]] virtual std::size_t most_photons() const;
 
-    /// Makes what it needs of the scene, unless it is there: no part of a run. Throws InputError where the
-    /// scene has not got it.
-    virtual void prepare(PreparedScene& scene) const = 0;
+    /// Makes what it needs of the scene, unless it is there: no part of a run. Says what that took when it
+    /// was made. Throws InputError where the scene has not got it.
+    virtual Preparation prepare(PreparedScene& scene) const = 0;
 
     /// Of the light map; 0 where there is none.
     [[nodiscard]] virtual std::size_t texel_count(PreparedScene& scene) const;

@@ -87,7 +87,9 @@ class LightMapTechnique : public Technique {
                                                            const common::PhotonSource& source) const;
 
     std::string store_key() const override;
-    void prepare(PreparedScene& scene) const override { (void)texels_of(scene); }
+    Preparation prepare(PreparedScene& scene) const override {
+        return scene.preparation_of_texels(texel_choice(scene.settings()));
+    }
     std::size_t texel_count(PreparedScene& scene) const override {
         return texels_of(scene).layout.texel_count();
     }

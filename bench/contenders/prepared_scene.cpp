@@ -30,6 +30,7 @@ PreparedScene::PreparedScene(const LoadedScene& scene, const ContenderSettings& 
       rays_(&scene.rays),
       settings_(settings),
       uv_(shlm::find_lightmap_uv(scene.scene)),
+      uv_seconds_(uv_watch_.seconds()),
       trouble_(describe_trouble(scene.scene, uv_, settings.texels.placement)) {
     if (settings_.max_radius == 0)
         settings_.max_radius = photonmap::default_max_radius(scene.scene.diagonal());
@@ -41,6 +42,24 @@ std::string describe(const ContenderSettings& settings) {
 }
 
 const shlm::PreparedTexels& PreparedScene::texels(const TexelChoice& choice) {
+    return timed_texels(choice).value;
+}
+
+const common::CoveringSurfaces& PreparedScene::covers() {
+    return (covers_ ? *covers_ : covers_.emplace(*rays_)).value;
+}
+
+Preparation PreparedScene::preparation_of_texels(const TexelChoice& choice) {
+    const auto& made = timed_texels(choice);
+    return {uv_seconds_ + made.seconds, made.value.bytes()};
+}
+
+Preparation PreparedScene::preparation_of_covers() {
+    const std::size_t bytes = covers().bytes();
+    return {covers_->seconds, bytes};
+}
+
+auto PreparedScene::timed_texels(const TexelChoice& choice) -> const Timed<shlm::PreparedTexels>& {
     const bool by_uv = choice.placement == shlm::TexelPlacement::uv;
     const bool possible = std::any_of(uv_.begin(), uv_.end(), [&](const shlm::LightmapUv& uv) {
         return shlm::placed_by_uv(uv, choice.placement) || shlm::placed_by_face(uv, choice.placement);

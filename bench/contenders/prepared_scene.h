@@ -8,6 +8,7 @@
 
 #include "bench/setup/scene_options.h"
 #include "bench/setup/texel_options.h"
+#include "common/core/stopwatch.h"
 #include "common/tracer/covering_surfaces.h"
 #include "shlm/layout/prepared_texels.h"
 
@@ -21,6 +22,12 @@ struct ContenderSettings {
 
 /// "texels=262144 max-radius=auto", "texels=face,262144 max-radius=0.5"
 [[nodiscard]] std::string describe(const ContenderSettings& settings);
+
+/// What it took to make something once for a scene, before any photon.
+struct Preparation {
+    double seconds = 0;     ///< wall time
+    std::size_t bytes = 0;  ///< kept beside all maps of the scene
+};
 
 /// Texels, and what covers what, are made when first asked for. Hands out places within itself, so it stays
 /// where it is.
@@ -44,18 +51,35 @@ class PreparedScene {
     [[nodiscard]] const shlm::PreparedTexels& texels() { return texels(settings_.texels); }
     [[nodiscard]] const shlm::PreparedTexels& texels(const TexelChoice& choice);
 
-    [[nodiscard]] const common::CoveringSurfaces& covers() {
-        return covers_ ? *covers_ : covers_.emplace(*rays_);
-    }
+    [[nodiscard]] const common::CoveringSurfaces& covers();
+
+    /// Of texels(choice), the search for lightmap coordinates included; of covers().
+    [[nodiscard]] Preparation preparation_of_texels(const TexelChoice& choice);
+    [[nodiscard]] Preparation preparation_of_covers();
 
   private:
+    /// A value and the wall time that it took to make.
+    template <class Value>
+    struct Timed {
+        common::Stopwatch watch;
+        Value value;
+        double seconds;
+
+        template <class... Arguments>
+        explicit Timed(const Arguments&... arguments) : value(arguments...), seconds(watch.seconds()) {}
+    };
+
+    [[nodiscard]] const Timed<shlm::PreparedTexels>& timed_texels(const TexelChoice& choice);
+
     const common::Scene* scene_;
     const common::RayScene* rays_;
     ContenderSettings settings_;
+    common::Stopwatch uv_watch_;
     std::vector<shlm::LightmapUv> uv_;
+    double uv_seconds_;
     std::vector<std::string> trouble_;
-    std::map<std::pair<std::size_t, shlm::TexelPlacement>, shlm::PreparedTexels> texels_;
-    std::optional<common::CoveringSurfaces> covers_;
+    std::map<std::pair<std::size_t, shlm::TexelPlacement>, Timed<shlm::PreparedTexels>> texels_;
+    std::optional<Timed<common::CoveringSurfaces>> covers_;
 };
 
 }  // namespace bench

@@ -58,8 +58,7 @@ common::TraceReport trace_into_nothing(const TracedRun& run) {
 }
 
 FilledStore::FilledStore(ContenderGroup group, PreparedScene& scene, const common::PhotonSource& source)
-    : contenders(std::move(group)) {
-    contenders.front()->prepare(scene);  // the scene's, not the run's
+    : contenders(std::move(group)), preparation(contenders.front()->prepare(scene)) {
     const common::Stopwatch making_room;
     store = contenders.front()->make_store(scene, source);
     making_room_seconds = making_room.seconds();

@@ -29,10 +29,11 @@ struct TracedRun {
 struct FilledStore {
     std::unique_ptr<Store> store;
     ContenderGroup contenders;
+    Preparation preparation;         ///< the scene's, not the run's
     double making_room_seconds = 0;  ///< a light map's sums are there from the start
     double insert_seconds = 0;
 
-    /// Of both.
+    /// Of the run: making room and insertion.
     [[nodiscard]] double seconds() const { return making_room_seconds + insert_seconds; }
 
     FilledStore(ContenderGroup group, PreparedScene& scene, const common::PhotonSource& source);

@@ -21,6 +21,14 @@ struct PreparedTexels {
                    TexelPlacement placement = TexelPlacement::uv)
         : PreparedTexels(scene, uv, texels, placement, common::SurfacePieces(scene)) {}
 
+    [[nodiscard]] std::size_t bytes() const {
+        std::size_t bytes = layout.bytes() + geometry.capacity() * sizeof(TexelGeometry) + pieces->bytes() +
+                            normals.capacity() * sizeof(NormalsInUse);
+        for (const NormalsInUse& of_region : normals)
+            bytes += of_region.bent.capacity() * sizeof(common::Vec3);
+        return bytes;
+    }
+
   private:
     PreparedTexels(const common::Scene& scene, std::span<const LightmapUv> uv, std::size_t texels,
                    TexelPlacement placement, common::SurfacePieces of_surface)

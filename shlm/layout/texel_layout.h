@@ -76,6 +76,11 @@ class TexelLayout {
     /// Of the scene.
     [[nodiscard]] std::size_t triangle_count() const { return triangles_.size(); }
 
+    [[nodiscard]] std::size_t bytes() const {
+        return regions_.capacity() * sizeof(TexelRegion) + planes_.capacity() * sizeof(RegionPlane) +
+               triangles_.capacity() * sizeof(TriangleTexels);
+    }
+
     /// Index of the region that a triangle with texels lies in.
     [[nodiscard]] std::size_t region_of(std::uint32_t triangle) const {
         const auto after = std::upper_bound(

@@ -26,6 +26,8 @@ TEST_F(Study, HasARowForEachMethodSizeAndSeed) {
         EXPECT_GT(row["photons_emitted"], 0);
         for (const char* name : {"trace_seconds", "insert_seconds", "build_seconds", "gather_seconds"})
             EXPECT_GE(row[name].get<double>(), 0) << name;
+        EXPECT_GT(row["prepare_seconds"], 0);
+        EXPECT_GT(row["prepare_bytes"], 0);
         EXPECT_GT(row["bytes"], 0);
         EXPECT_GT(row["insert_bytes"], 0);
         EXPECT_EQ(row["hits_rejected"], 0);

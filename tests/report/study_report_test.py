@@ -62,6 +62,7 @@ class Reports(Folder):
         tilted = scene["methods"][SHLM][0]["tilt"]
         self.assertEqual([t["degrees"][0] for t in tilted], [0, 10, 20, 30, 40, 50, 60])
         text = (self.folder / "report.md").read_text(encoding="utf-8")
+        self.assertIn("| 250\u00a0ms | 3\u00a0MiB |", text)  # once a scene
         for name in (
             "time-methods",
             "bytes-shlm",

@@ -132,6 +132,8 @@ def row_of(scene, method, law, hits, seed, path, generator):
         "build_seconds": 0.3 * law.seconds(hits) * jitter,
         "gather_seconds": law.gather_seconds(hits) * jitter,
         "bytes": law.bytes(hits),
+        "prepare_seconds": 0.25,
+        "prepare_bytes": 3 * 2**20,
         "insert_bytes": 2 * law.bytes(hits),
         "hits_rejected": 0,
         **({"flip": np.sqrt(law.variance(hits) + law.bias_sq(hits))} if seed == 1 else {}),

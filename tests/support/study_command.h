@@ -169,8 +169,8 @@ inline void expect_same_rows(const Json& actual, const Json& expected) {
             const double bytes = other[name];
             EXPECT_NEAR(row[name].get<double>(), bytes, 0.02 * bytes) << name << " of " << row;
         }
-        for (const char* name : {"trace_seconds", "insert_seconds", "build_seconds", "gather_seconds",
-                                 "bytes", "insert_bytes"}) {
+        for (const char* name : {"prepare_seconds", "trace_seconds", "insert_seconds", "build_seconds",
+                                 "gather_seconds", "bytes", "insert_bytes"}) {
             EXPECT_EQ(row.erase(name), 1u) << name;
             EXPECT_EQ(other.erase(name), 1u) << name;
         }

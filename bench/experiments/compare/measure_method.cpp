@@ -70,8 +70,8 @@ void measure(const Contender& contender, Store& store, const Workload& w, Measur
 }  // namespace
 
 Measurement measure_method(const Contender& contender, PreparedScene& scene, const Workload& workload) {
-    contender->prepare(scene);  // the scene's, not the run's
     Measurement m;
+    m.preparation = contender->prepare(scene);
     m.peak_is_of_this_run = common::reset_peak_resident_bytes();
     m.resident_before_bytes = common::resident_bytes();
     try {

@@ -15,6 +15,7 @@ namespace bench::compare {
 
 /// What a run took and kept. Times are wall seconds.
 struct Measurement {
+    Preparation preparation;         ///< the scene's, made before the first run
     double making_room_seconds = 0;  ///< for an empty store: a light map's sums are there from the start
     common::TraceReport trace;
     double build_seconds = 0;

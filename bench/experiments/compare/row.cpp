@@ -32,6 +32,7 @@ void add_times(Json& row, const RowInput& in) {
     const auto queries = static_cast<double>(in.queries);
     add_timing(row, "trace_seconds",
                each(in.null_sink, [](const auto& t) { return t.trace_seconds + t.sink_seconds; }));
+    row["prepare_seconds"] = m.front().preparation.seconds;
     add_timing(row, "making_room_seconds", each(m, [](const auto& x) { return x.making_room_seconds; }));
     add_timing(row, "trace_and_insert_seconds",
                each(m, [](const auto& x) { return x.trace.trace_seconds + x.trace.sink_seconds; }));
@@ -98,6 +99,7 @@ Json make_row(const RowInput& in) {
         row["hits_per_texel"] = static_cast<double>(first.trace.hits) / static_cast<double>(in.texels);
     }
     add_times(row, in);
+    row["prepare_bytes"] = first.preparation.bytes;
     row["bytes"] = first.bytes;
     row["insert_bytes"] = first.insert_bytes;
     add_peak(row, in);

@@ -96,7 +96,7 @@ void run(const LimitOptions& options) {
         const common::PhotonSource source(loaded.rays);
         PreparedScene prepared(loaded, plan.settings);
         for (const Contender& contender : {plan.light_map, plan.photon_map})
-            contender->prepare(prepared);  // no clock must see this
+            (void)contender->prepare(prepared);  // no clock must see this
         print_scene_warnings(loaded);
         print_light_warnings(loaded, source);
         print_lightmap_warnings(loaded, prepared);

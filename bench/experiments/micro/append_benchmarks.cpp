@@ -13,7 +13,7 @@ void append(benchmark::State& state, SharedInputs& inputs, const std::string& co
     const Recording& recording = inputs.recording(hits);
     common::ThreadPool pool(threads);
     const Contender named = parse_contender("micro", contender);
-    named->prepare(inputs.prepared());
+    (void)named->prepare(inputs.prepared());
     for (auto _ : state) {
         std::unique_ptr<Store> store = named->make_store(inputs.prepared(), inputs.source());
         pool.run([&] { replay(recording, *store); });

@@ -35,7 +35,7 @@ PreparedScene& SharedInputs::prepared(std::size_t texels) {
 
 std::unique_ptr<Store> SharedInputs::store(const std::string& contender, std::size_t texels) {
     const Contender named = parse_contender("micro", contender);
-    named->prepare(prepared(texels));
+    (void)named->prepare(prepared(texels));
     return named->make_store(prepared(texels), source_);
 }
 

@@ -38,12 +38,14 @@ Json row_start(const RunFacts& facts, const Contender& contender, const Contende
 }
 
 Json row_of(const RunFacts& facts, const Contender& contender, const ContenderSettings& settings,
-            const StoreFacts& store, double insert_seconds) {
+            const StoreFacts& store, const FilledStore& filled) {
     Json row = row_start(facts, contender, settings);
     row["hits"] = facts.trace.hits;
     row["photons_emitted"] = facts.trace.fates.emitted;
     row["trace_seconds"] = facts.trace.trace_seconds;
-    row["insert_seconds"] = insert_seconds;
+    row["prepare_seconds"] = filled.preparation.seconds;
+    row["prepare_bytes"] = filled.preparation.bytes;
+    row["insert_seconds"] = filled.seconds();
     row["insert_bytes"] = store.bytes;
     row["hits_rejected"] = store.rejected.total();
     if (contender.light_map()) row["clamped_share"] = store.clamped_share;
@@ -59,7 +61,7 @@ std::filesystem::path answers_folder(const std::string& scene, std::string metho
 /// Why the scene has not got what the method needs; empty where it has.
 std::string trouble_with_scene(const Contender& method, PreparedScene& prepared) {
     try {
-        method->prepare(prepared);
+        (void)method->prepare(prepared);
         return "";
     } catch (const common::InputError& e) {
         return e.what();
@@ -89,11 +91,10 @@ std::vector<ContenderGroup> that_fit(std::vector<ContenderGroup> groups, const S
 void ask_all(const FilledStore& filled, const RunFacts& facts, const StudyPlan& plan, ReferenceScene& scene,
              std::vector<Json>& rows) {
     const StoreFacts store = filled.store->facts();
-    const double insert_seconds = filled.seconds();
     for (const Contender& contender : filled.contenders) {
         if (common::interrupted()) return;
         const FinishedMap map = contender->finish(*filled.store, facts.trace);
-        Json row = row_of(facts, contender, plan.settings, store, insert_seconds);
+        Json row = row_of(facts, contender, plan.settings, store, filled);
         row["build_seconds"] = map.build_seconds;
         row["bytes"] = map.answers->bytes();
         const common::Stopwatch gather;

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from report.claims.claims import findings
 from report.compare.comparison import LIGHT_MAP, LIGHT_MAP_FLUX, PAPER_LIGHT_MAP, PHOTON_MAP, Comparison
-from report.text import count_text
+from report.text import NOTHING, count_text, number_text
 
 CHARTS = {
     "time-to-map": "Time until a map answers: the empty store, trace, insert, build. Dotted: tracing with no store.",
@@ -34,19 +34,25 @@ def added_text(row):
     return f"{row['peak_growth_bytes'] / 2**20:.0f}" if "peak_growth_bytes" in row else row.get("peak_rss_note", "")
 
 
+def mebibytes(row, key):
+    """`-` where an older table has not got it."""
+    return f"{row[key] / 2**20:.1f}" if key in row else NOTHING
+
+
 def scene_table(comparison, scene):
     lines = [
-        "| method | hits | repetitions | trace s | insert ns/hit | build s | gather us | shuffled us | MiB | peak RSS MiB | of that added MiB | mean irradiance W/m^2 |",
-        "|---|---|---|---|---|---|---|---|---|---|---|---|",
+        "| method | hits | repetitions | prepare s, once a scene | trace s | insert ns/hit | build s | gather us | shuffled us "
+        "| prepared MiB | while filled MiB | finished MiB | peak RSS MiB | of that added MiB | mean irradiance W/m^2 |",
+        "|" + 15 * "---|",
     ]
     for row in (r for r in comparison.rows if r["scene"] == scene):
         if "skipped" in row:
-            lines.append(f"| {row['method']} | {count_text(row['hits_asked'])} | skipped: {row['skipped']} | | | | | | | | | |")
+            lines.append(f"| {row['method']} | {count_text(row['hits_asked'])} | skipped: {row['skipped']} |" + 12 * " |")
             continue
         lines.append(
-            f"| {row['method']} | {row['hits']} | {row['repetitions']} | {row['trace_seconds']:.3g} | {row['insert_ns_per_hit']:.1f} "
+            f"| {row['method']} | {row['hits']} | {row['repetitions']} | {number_text(row.get('prepare_seconds'))} | {row['trace_seconds']:.3g} | {row['insert_ns_per_hit']:.1f} "
             f"| {row['build_seconds']:.3g} | {row['gather_us_per_query']:.2f} | {row['gather_us_per_query_shuffled']:.2f} "
-            f"| {row['bytes'] / 2**20:.1f} | {row['peak_rss_bytes'] / 2**20:.0f} | {added_text(row)} | {row['mean_irradiance']:.4g} |"
+            f"| {mebibytes(row, 'prepare_bytes')} | {mebibytes(row, 'insert_bytes')} | {mebibytes(row, 'bytes')} | {row['peak_rss_bytes'] / 2**20:.0f} | {added_text(row)} | {row['mean_irradiance']:.4g} |"
         )
     return lines
 

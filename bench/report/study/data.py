@@ -36,6 +36,10 @@ class Run:
     def median(self, column):
         return float(np.median(self.values(column)))
 
+    def has(self, column):
+        """Older tables lack some."""
+        return all(column in row for row in self.rows)
+
     @property
     def flip(self):
         """Of the picture, which the first seed has; None without one."""

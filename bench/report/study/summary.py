@@ -36,8 +36,8 @@ def point_entry(point):
     run = point.run
     optional = {
         c: run.median(c)
-        for c in ("insert_bytes", "hits_rejected", "clamped_share")
-        if all(c in r for r in run.rows)
+        for c in ("prepare_seconds", "prepare_bytes", "insert_bytes", "hits_rejected", "clamped_share")
+        if run.has(c)
     }
     return {
         "hits_asked": run.hits_asked,

@@ -65,6 +65,10 @@ def point_row(point, label):
     run, split = point.run, point.split
     times = [seconds_text(run.median(phase + "_seconds")) for phase in PHASES]
     flip = number_text(run.flip)
+    prepared = [
+        text(run.median(column)) if run.has(column) else NOTHING
+        for column, text in (("prepare_seconds", seconds_text), ("prepare_bytes", bytes_text), ("insert_bytes", bytes_text))
+    ]
     return [
         label,
         hits_text(point.hits),
@@ -77,6 +81,7 @@ def point_row(point, label):
         *times,
         seconds_text(point.seconds),
         bytes_text(point.bytes),
+        *prepared,
     ]
 
 
@@ -94,6 +99,9 @@ def full_table(curves, skipped):
         *PHASES,
         "total",
         "bytes",
+        "prepare, once a scene",
+        "prepared bytes",
+        "bytes while filled",
     ]
     names = list(dict.fromkeys([*curves, *(method for method, _, _ in skipped)]))
     rows = []

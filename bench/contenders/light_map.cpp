@@ -148,7 +148,7 @@ std::unique_ptr<LightMapStore> LightMapTechnique::make_sums(PreparedScene& scene
 
 std::string LightMapTechnique::texel_name() const {
     std::string name = bench::name_of(setting_.gather);
-    if (setting_.placement) name += "/" + bench::name_of(*setting_.placement);
+    if (setting_.placement) name += fmt::format("/{}", bench::name_of(*setting_.placement));
     if (setting_.texels > 0) name += fmt::format("/t{}", setting_.texels);
     return name;
 }

@@ -119,7 +119,8 @@ nlohmann::ordered_json PhotonMapTechnique::fields() const {
 }
 
 std::string PhotonMapTechnique::store_key() const {
-    return "photonmap/" + engine_->name + (engine_->for_one_radius ? "/" + name_of(selection_) : "");
+    if (!engine_->for_one_radius) return fmt::format("photonmap/{}", engine_->name);
+    return fmt::format("photonmap/{}/{}", engine_->name, name_of(selection_));
 }
 
 double PhotonMapTechnique::needed_bytes(const ContenderSettings&, std::uint64_t hits) const {

@@ -29,9 +29,8 @@ PreparedScene::PreparedScene(const LoadedScene& scene, const ContenderSettings& 
     : scene_(&scene.scene),
       rays_(&scene.rays),
       settings_(settings),
-      uv_(shlm::find_lightmap_uv(scene.scene)),
-      uv_seconds_(uv_watch_.seconds()),
-      trouble_(describe_trouble(scene.scene, uv_, settings.texels.placement)) {
+      uv_([&] { return shlm::find_lightmap_uv(scene.scene); }),
+      trouble_(describe_trouble(scene.scene, uv_.value, settings.texels.placement)) {
     if (settings_.max_radius == 0)
         settings_.max_radius = photonmap::default_max_radius(scene.scene.diagonal());
 }
@@ -46,12 +45,13 @@ const shlm::PreparedTexels& PreparedScene::texels(const TexelChoice& choice) {
 }
 
 const common::CoveringSurfaces& PreparedScene::covers() {
-    return (covers_ ? *covers_ : covers_.emplace(*rays_)).value;
+    if (!covers_) covers_.emplace([this] { return common::CoveringSurfaces(*rays_); });
+    return covers_->value;
 }
 
 Preparation PreparedScene::preparation_of_texels(const TexelChoice& choice) {
     const auto& made = timed_texels(choice);
-    return {uv_seconds_ + made.seconds, made.value.bytes()};
+    return {uv_.seconds + made.seconds, made.value.bytes()};
 }
 
 Preparation PreparedScene::preparation_of_covers() {
@@ -61,17 +61,19 @@ Preparation PreparedScene::preparation_of_covers() {
 
 auto PreparedScene::timed_texels(const TexelChoice& choice) -> const Timed<shlm::PreparedTexels>& {
     const bool by_uv = choice.placement == shlm::TexelPlacement::uv;
-    const bool possible = std::any_of(uv_.begin(), uv_.end(), [&](const shlm::LightmapUv& uv) {
+    const bool possible = std::any_of(uv_.value.begin(), uv_.value.end(), [&](const shlm::LightmapUv& uv) {
         return shlm::placed_by_uv(uv, choice.placement) || shlm::placed_by_face(uv, choice.placement);
     });
     if (!possible) {
-        const std::vector<std::string> trouble = shlm::describe_lightmap_trouble(*scene_, uv_);
+        const std::vector<std::string> trouble = shlm::describe_lightmap_trouble(*scene_, uv_.value);
         throw common::InputError(
             fmt::format("{}: {}", scene_->source,
                         trouble.empty() || !by_uv ? "no diffuse surface for a light map" : trouble.front()));
     }
-    return texels_.try_emplace({choice.count, choice.placement}, *scene_, uv_, choice.count, choice.placement)
-        .first->second;
+    const auto make = [&] {
+        return shlm::PreparedTexels(*scene_, uv_.value, choice.count, choice.placement);
+    };
+    return texels_.try_emplace({choice.count, choice.placement}, make).first->second;
 }
 
 }  // namespace bench

@@ -45,7 +45,7 @@ class PreparedScene {
 
     /// Lines about the lightmap coordinates; empty where all is well.
     [[nodiscard]] const std::vector<std::string>& lightmap_trouble() const { return trouble_; }
-    [[nodiscard]] const std::vector<shlm::LightmapUv>& lightmap_uv() const { return uv_; }
+    [[nodiscard]] const std::vector<shlm::LightmapUv>& lightmap_uv() const { return uv_.value; }
 
     /// Throws InputError where no surface can have any.
     [[nodiscard]] const shlm::PreparedTexels& texels() { return texels(settings_.texels); }
@@ -65,8 +65,8 @@ class PreparedScene {
         Value value;
         double seconds;
 
-        template <class... Arguments>
-        explicit Timed(const Arguments&... arguments) : value(arguments...), seconds(watch.seconds()) {}
+        template <class Make>
+        explicit Timed(Make make) : value(make()), seconds(watch.seconds()) {}
     };
 
     [[nodiscard]] const Timed<shlm::PreparedTexels>& timed_texels(const TexelChoice& choice);
@@ -74,9 +74,7 @@ class PreparedScene {
     const common::Scene* scene_;
     const common::RayScene* rays_;
     ContenderSettings settings_;
-    common::Stopwatch uv_watch_;
-    std::vector<shlm::LightmapUv> uv_;
-    double uv_seconds_;
+    Timed<std::vector<shlm::LightmapUv>> uv_;
     std::vector<std::string> trouble_;
     std::map<std::pair<std::size_t, shlm::TexelPlacement>, Timed<shlm::PreparedTexels>> texels_;
     std::optional<Timed<common::CoveringSurfaces>> covers_;

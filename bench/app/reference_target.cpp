@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "bench/setup/numbers.h"
-#include "bench/setup/scene_options.h"
 #include "common/core/input_error.h"
 #include "common/reference/strata.h"
 

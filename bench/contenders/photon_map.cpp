@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "bench/contenders/family.h"
@@ -93,10 +92,8 @@ RegisteredEngine::RegisteredEngine(int place, const PhotonMapEngine& engine) {
     register_once(engines(), place, engine);
 }
 
-std::vector<PhotonMapEngine> photon_map_engines() {
-    std::vector<PhotonMapEngine> all;
-    for (const auto& [place, engine] : engines()) all.push_back(engine);
-    return all;
+const std::map<int, PhotonMapEngine>& photon_map_engines() {
+    return engines();
 }
 
 std::string PhotonMapTechnique::name() const {

@@ -1,6 +1,8 @@
 // Photon maps: an engine, which photons are gathered, and how they are weighted.
 #pragma once
 
+#include <map>
+
 #include "bench/contenders/contender.h"
 #include "photonmap/gather_settings.h"
 
@@ -32,8 +34,8 @@ class RegisteredEngine {
     RegisteredEngine(int place, const PhotonMapEngine& engine);
 };
 
-/// Those that are registered, in the order of their places.
-[[nodiscard]] std::vector<PhotonMapEngine> photon_map_engines();
+/// By the order in which they are told of; the first is the default.
+[[nodiscard]] const std::map<int, PhotonMapEngine>& photon_map_engines();
 
 /// photonmap / ENGINE / kK kFACTORn23 rFRACTION / disc cone epanechnikov
 class PhotonMapTechnique final : public Technique {

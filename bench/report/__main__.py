@@ -16,7 +16,7 @@ REPORTS = {  # module, arguments, what it makes
     "bases": ("report.bases_charts", "FOLDER", "charts of FOLDER/bases.json"),
     "stability": ("report.stability_charts", "FOLDER", "charts of FOLDER/stability.json"),
     "billion-figure": ("report.claims.billion_figure", "FOLDER", "figure.png: the atrium at a billion hits"),
-    "elsewhere": ("report.elsewhere.report", "PROGRAM FOLDER OUT OPTIONS...", "the methods on scenes that others made"),
+    "elsewhere": ("report.elsewhere.report", "PROGRAM...", "the methods on scenes that others made; --help says the rest"),
 }
 
 

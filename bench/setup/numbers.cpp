@@ -37,11 +37,9 @@ std::uint64_t parse_whole_number(const std::string& option, const std::string& t
 }
 
 double parse_number(const std::string& option, const std::string& text) {
-    double value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || stop != end || !std::isfinite(value))
-        throw InputError(fmt::format("{}: '{}' is not a number", option, text));
+    std::string_view rest = text;
+    const double value = take_number(option, rest);
+    if (!rest.empty()) throw InputError(fmt::format("{}: '{}' is not a number", option, text));
     return value;
 }
 

@@ -7,7 +7,6 @@
 
 #include "bench/setup/command.h"
 #include "bench/setup/numbers.h"
-#include "bench/setup/scene_options.h"
 #include "common/core/input_error.h"
 
 namespace bench {

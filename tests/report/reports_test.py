@@ -28,8 +28,13 @@ class Reports(unittest.TestCase):
         for name in REPORTS:
             self.assertIn(f"\n  {name} ", done.stdout)
 
+    def test_options_of_a_report_are_its_own(self):
+        done = run("elsewhere", "--help")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("--methods", done.stdout)
+
     def test_wrong_names_are_one_line(self):
-        for words in ([], ["no-such-report"], *([name] for name in REPORTS), ["study", "/nonexistent"]):
+        for words in ([], ["no-such-report"], *([name] for name in REPORTS), ["study", "/nonexistent"], ["fit-search", "/nonexistent"]):
             done = run(*words)
             self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), words)
 

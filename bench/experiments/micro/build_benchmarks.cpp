@@ -70,7 +70,7 @@ void register_photon_map(SharedInputs& inputs, const std::string& engine) {
 }  // namespace
 
 void register_build_benchmarks(SharedInputs& inputs) {
-    for (const PhotonMapEngine& engine : photon_map_engines())
+    for (const auto& [place, engine] : photon_map_engines())
         if (!engine.grows) register_photon_map(inputs, engine.name);
     for (const std::uint64_t hits : {1'000'000u, 10'000'000u})
         benchmark::RegisterBenchmark(

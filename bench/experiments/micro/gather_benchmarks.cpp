@@ -138,7 +138,7 @@ void register_gather_benchmarks(SharedInputs& inputs) {
     // With fewer hits the photon map darkens edges by more than the 5 %.
     for (const char* engine : {"flann", "compact"}) register_photon_map(engine, "", 100'000);
     for (const std::uint64_t hits : {default_hits, 4 * default_hits}) {
-        for (const PhotonMapEngine& engine : photon_map_engines())
+        for (const auto& [place, engine] : photon_map_engines())
             if (!engine.grows) register_photon_map(engine.name, engine.for_one_radius ? radius : "", hits);
         register_photon_map("flann", radius, hits);
     }

@@ -88,7 +88,10 @@ class LightMapTechnique : public Technique {
 
     std::string store_key() const override;
     Preparation prepare(PreparedScene& scene) const override {
-        return scene.preparation_of_texels(texel_choice(scene.settings()));
+        const TexelChoice choice = texel_choice(scene.settings());
+        return std::holds_alternative<shlm::NearestTexels>(setting_.gather)
+                   ? scene.preparation_of_texel_tree(choice)
+                   : scene.preparation_of_texels(choice);
     }
     std::size_t texel_count(PreparedScene& scene) const override {
         return texels_of(scene).layout.texel_count();

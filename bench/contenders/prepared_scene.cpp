@@ -41,25 +41,43 @@ std::string describe(const ContenderSettings& settings) {
 }
 
 const shlm::PreparedTexels& PreparedScene::texels(const TexelChoice& choice) {
-    return timed_texels(choice).value;
+    return timed_texels(choice).made.value;
 }
 
 const common::CoveringSurfaces& PreparedScene::covers() {
-    if (!covers_) covers_.emplace([this] { return common::CoveringSurfaces(*rays_); });
+    const common::SurfacePieces& of_scene = pieces().value;
+    if (!covers_) covers_.emplace([&] { return common::CoveringSurfaces(*rays_, of_scene); });
     return covers_->value;
 }
 
 Preparation PreparedScene::preparation_of_texels(const TexelChoice& choice) {
-    const auto& made = timed_texels(choice);
-    return {uv_.seconds + made.seconds, made.value.bytes()};
+    const TimedTexels& texels = timed_texels(choice);
+    return {uv_.seconds + pieces().seconds + texels.made.seconds, texels.made.value.bytes()};
+}
+
+Preparation PreparedScene::preparation_of_texel_tree(const TexelChoice& choice) {
+    TimedTexels& texels = timed_texels(choice);
+    if (texels.tree_seconds == 0) {
+        const common::Stopwatch watch;
+        (void)texels.made.value.tree();
+        texels.tree_seconds = watch.seconds();
+    }
+    Preparation preparation = preparation_of_texels(choice);
+    preparation.seconds += texels.tree_seconds;
+    return preparation;
 }
 
 Preparation PreparedScene::preparation_of_covers() {
     const std::size_t bytes = covers().bytes();
-    return {covers_->seconds, bytes};
+    return {pieces().seconds + covers_->seconds, bytes};
 }
 
-auto PreparedScene::timed_texels(const TexelChoice& choice) -> const Timed<shlm::PreparedTexels>& {
+auto PreparedScene::pieces() -> const Timed<common::SurfacePieces>& {
+    if (!pieces_) pieces_.emplace([this] { return common::SurfacePieces(*scene_); });
+    return *pieces_;
+}
+
+auto PreparedScene::timed_texels(const TexelChoice& choice) -> TimedTexels& {
     const bool by_uv = choice.placement == shlm::TexelPlacement::uv;
     const bool possible = std::any_of(uv_.value.begin(), uv_.value.end(), [&](const shlm::LightmapUv& uv) {
         return shlm::placed_by_uv(uv, choice.placement) || shlm::placed_by_face(uv, choice.placement);
@@ -70,10 +88,15 @@ auto PreparedScene::timed_texels(const TexelChoice& choice) -> const Timed<shlm:
             fmt::format("{}: {}", scene_->source,
                         trouble.empty() || !by_uv ? "no diffuse surface for a light map" : trouble.front()));
     }
+    const common::SurfacePieces& of_scene = pieces().value;
     const auto make = [&] {
-        return shlm::PreparedTexels(*scene_, uv_.value, choice.count, choice.placement);
+        return shlm::PreparedTexels(*scene_, uv_.value, choice.count, choice.placement, of_scene);
     };
-    return texels_.try_emplace({choice.count, choice.placement}, make).first->second;
+    const std::pair key(choice.count, choice.placement);
+    const auto found = texels_.find(key);
+    return found != texels_.end()
+               ? found->second
+               : texels_.emplace(key, TimedTexels{Timed<shlm::PreparedTexels>(make)}).first->second;
 }
 
 }  // namespace bench

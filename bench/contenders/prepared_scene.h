@@ -53,8 +53,10 @@ class PreparedScene {
 
     [[nodiscard]] const common::CoveringSurfaces& covers();
 
-    /// Of texels(choice), the search for lightmap coordinates included; of covers().
+    /// Of texels(choice), the search for lightmap coordinates and surfaces included; of these with their
+    /// tree, whose bytes each map counts; of covers().
     [[nodiscard]] Preparation preparation_of_texels(const TexelChoice& choice);
+    [[nodiscard]] Preparation preparation_of_texel_tree(const TexelChoice& choice);
     [[nodiscard]] Preparation preparation_of_covers();
 
   private:
@@ -69,14 +71,21 @@ class PreparedScene {
         explicit Timed(Make make) : value(make()), seconds(watch.seconds()) {}
     };
 
-    [[nodiscard]] const Timed<shlm::PreparedTexels>& timed_texels(const TexelChoice& choice);
+    struct TimedTexels {
+        Timed<shlm::PreparedTexels> made;
+        double tree_seconds = 0;  ///< once it is there
+    };
+
+    [[nodiscard]] const Timed<common::SurfacePieces>& pieces();
+    [[nodiscard]] TimedTexels& timed_texels(const TexelChoice& choice);
 
     const common::Scene* scene_;
     const common::RayScene* rays_;
     ContenderSettings settings_;
     Timed<std::vector<shlm::LightmapUv>> uv_;
     std::vector<std::string> trouble_;
-    std::map<std::pair<std::size_t, shlm::TexelPlacement>, Timed<shlm::PreparedTexels>> texels_;
+    std::optional<Timed<common::SurfacePieces>> pieces_;
+    std::map<std::pair<std::size_t, shlm::TexelPlacement>, TimedTexels> texels_;
     std::optional<Timed<common::CoveringSurfaces>> covers_;
 };
 

@@ -10,7 +10,10 @@ namespace common {
 class CoveringSurfaces {
   public:
     /// `rays` and its scene must outlive it.
-    explicit CoveringSurfaces(const RayScene& rays) : rays_(&rays), pieces_(rays.scene()) {}
+    explicit CoveringSurfaces(const RayScene& rays) : CoveringSurfaces(rays, SurfacePieces(rays.scene())) {}
+
+    /// The same with the scene's pieces, where they are known.
+    CoveringSurfaces(const RayScene& rays, SurfacePieces pieces) : rays_(&rays), pieces_(std::move(pieces)) {}
 
     /// How high over the point, along its geometric normal, the nearest surface is, world units; infinite
     /// where there is none. A surface that bends over itself does not cover itself: what is nearest and of

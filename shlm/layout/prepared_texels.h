@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 
 #include "shlm/layout/normals_in_use.h"
 #include "shlm/layout/texel_charts.h"
 #include "shlm/layout/texel_geometry.h"
 #include "shlm/layout/texel_pieces.h"
+#include "shlm/layout/texel_tree.h"
 
 namespace shlm {
 
@@ -21,6 +23,21 @@ struct PreparedTexels {
                    TexelPlacement placement = TexelPlacement::uv)
         : PreparedTexels(scene, uv, texels, placement, common::SurfacePieces(scene)) {}
 
+    /// The same with the scene's pieces, where they are known.
+    PreparedTexels(const common::Scene& scene, std::span<const LightmapUv> uv, std::size_t texels,
+                   TexelPlacement placement, common::SurfacePieces of_surface)
+        : layout(scene, texel_charts(scene, uv, placement, texels), texels),
+          geometry(texel_geometry(scene, layout, of_surface)),
+          normals(normals_in_use(scene, layout)),
+          pieces(std::make_shared<TexelPieces>(std::move(of_surface), layout, geometry)) {}
+
+    /// Made when it is first asked for: not every gather wants it. From any thread.
+    [[nodiscard]] const std::shared_ptr<const TexelTree>& tree() const {
+        std::call_once(tree_->once, [this] { tree_->made = std::make_shared<TexelTree>(geometry); });
+        return tree_->made;
+    }
+
+    /// Without the tree, which is part of the maps that use it.
     [[nodiscard]] std::size_t bytes() const {
         std::size_t bytes = layout.bytes() + geometry.capacity() * sizeof(TexelGeometry) + pieces->bytes() +
                             normals.capacity() * sizeof(NormalsInUse);
@@ -30,12 +47,12 @@ struct PreparedTexels {
     }
 
   private:
-    PreparedTexels(const common::Scene& scene, std::span<const LightmapUv> uv, std::size_t texels,
-                   TexelPlacement placement, common::SurfacePieces of_surface)
-        : layout(scene, texel_charts(scene, uv, placement, texels), texels),
-          geometry(texel_geometry(scene, layout, of_surface)),
-          normals(normals_in_use(scene, layout)),
-          pieces(std::make_shared<TexelPieces>(std::move(of_surface), layout, geometry)) {}
+    struct Tree {
+        std::once_flag once;
+        std::shared_ptr<const TexelTree> made;
+    };
+
+    std::shared_ptr<Tree> tree_ = std::make_shared<Tree>();
 };
 
 }  // namespace shlm

@@ -3,26 +3,6 @@
 #include <numeric>
 
 namespace shlm {
-namespace {
-
-std::vector<common::Vec3> covered_centers(const PreparedTexels& texels) {
-    std::vector<common::Vec3> centers;
-    for (const TexelGeometry& texel : texels.geometry)
-        if (texel.area > 0) centers.push_back(texel.center);
-    centers.shrink_to_fit();
-    return centers;
-}
-
-std::vector<std::uint32_t> pieces_of_covered(const PreparedTexels& texels) {
-    std::vector<std::uint32_t> pieces;
-    for (const TexelGeometry& texel : texels.geometry)
-        if (texel.area > 0) pieces.push_back(texel.piece);
-    pieces.shrink_to_fit();
-    return pieces;
-}
-
-}  // namespace
-
 std::vector<std::uint32_t> OwnTexelLookup::held_texels(const PreparedTexels& texels) {
     std::vector<std::uint32_t> all(texels.geometry.size());
     std::iota(all.begin(), all.end(), 0u);
@@ -35,14 +15,6 @@ std::vector<std::uint32_t> NearestTexelsLookup::held_texels(const PreparedTexels
         if (texels.geometry[i].area > 0) covered.push_back(static_cast<std::uint32_t>(i));
     return covered;
 }
-
-NearestTexelsLookup::NearestTexelsLookup(const PreparedTexels& texels, NearestTexels nearest)
-    : pieces_(nearest.of_own_surface ? texels.pieces : nullptr),
-      piece_(nearest.of_own_surface ? pieces_of_covered(texels) : std::vector<std::uint32_t>{}),
-      centers_(covered_centers(texels)),
-      index_(centers_),
-      count_(nearest.count),
-      max_radius_(static_cast<float>(4 * texel_width(texels.geometry))) {}
 
 TexelLookup make_lookup(const PreparedTexels& texels, const Gather& gather) {
     if (const auto* nearest = std::get_if<NearestTexels>(&gather))

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/estimator/irradiance_estimator.h"
-#include "common/point_index/flann_index.h"
+#include "common/point_index/nearest_set.h"
 #include "shlm/layout/prepared_texels.h"
 #include "shlm/layout/texel_places.h"
 #include "shlm/map/gather.h"
@@ -90,11 +90,14 @@ class BilinearLookup {
 };
 
 /// The nearest texels in space that look the point's way, by their areas projected onto its surface, as far
-/// as four widths of the largest texel: every point of the surface has a texel of its own that near. If
-/// NearestTexels asks for the own surface's, others count only where that has no texels at all so near.
+/// as TexelTree::max_radius. If NearestTexels asks for the own surface's, others count only where that has no
+/// texels at all so near.
 class NearestTexelsLookup {
   public:
-    NearestTexelsLookup(const PreparedTexels& texels, NearestTexels nearest);
+    NearestTexelsLookup(const PreparedTexels& texels, NearestTexels nearest)
+        : tree_(texels.tree()),
+          pieces_(nearest.of_own_surface ? texels.pieces : nullptr),
+          count_(nearest.count) {}
 
     /// The covered ones.
     [[nodiscard]] static std::vector<std::uint32_t> held_texels(const PreparedTexels& texels);
@@ -104,8 +107,8 @@ class NearestTexelsLookup {
         static thread_local std::vector<common::Neighbour> neighbours;  // a gather must not allocate
         neighbours.resize(count_);
         const auto use_nearest = [&](auto accept, auto keep) {
-            common::NearestSet nearest(neighbours, max_radius_ * max_radius_);
-            index_.search(point.position, nearest,
+            common::NearestSet nearest(neighbours, tree_->max_radius() * tree_->max_radius());
+            tree_->search(point.position, nearest,
                           [&](std::uint32_t i) { return face(i).looks_the_way_of(point) && accept(i); });
             bool used = false;
             for (const common::Neighbour& neighbour : nearest.found()) {
@@ -122,22 +125,18 @@ class NearestTexelsLookup {
             return;
         }
         const std::uint32_t own = pieces_->of_triangle(point.surface.triangle);
-        const auto of_own_surface = [&](std::uint32_t i) { return pieces_->meet(own, piece_[i]); };
+        const auto of_own_surface = [&](std::uint32_t i) { return pieces_->meet(own, tree_->piece(i)); };
         (void)(use_nearest(any, of_own_surface) || use_nearest(of_own_surface, any) || use_nearest(any, any));
     }
 
     [[nodiscard]] std::size_t bytes() const {
-        return centers_.capacity() * sizeof(common::Vec3) + index_.bytes() +
-               piece_.capacity() * sizeof(std::uint32_t) + (pieces_ ? pieces_->bytes() : 0);
+        return tree_->bytes() + (pieces_ ? tree_->bytes_of_pieces() + pieces_->bytes() : 0);
     }
 
   private:
+    std::shared_ptr<const TexelTree> tree_;
     std::shared_ptr<const TexelPieces> pieces_;  ///< none where whichever are nearest are asked for
-    std::vector<std::uint32_t> piece_;           ///< of each texel; none likewise
-    std::vector<common::Vec3> centers_;
-    common::FlannIndex index_;
     std::size_t count_;
-    float max_radius_;  ///< world units
 };
 
 using TexelLookup = std::variant<OwnTexelLookup, BilinearLookup, NearestTexelsLookup>;

@@ -1,10 +1,13 @@
-// shlmbench_scenes OUT_DIR [NAME...]: writes the project's own scenes as NAME.glb.
+// shlmbench_scenes OUT_DIR [NAME...]: writes the project's own scenes as NAME.glb, and room-SEED.glb.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
+#include <optional>
 
 #include "bench/scenes/gltf_writer.h"
 #include "bench/scenes/scenes.h"
@@ -14,10 +17,10 @@ namespace {
 
 struct NamedScene {
     std::string name;
-    scenes::SceneDescription (*make)();
+    std::function<scenes::SceneDescription()> make;
 };
 
-const std::vector<NamedScene>& all_scenes() {
+const std::vector<NamedScene>& own_scenes() {
     static const std::vector<NamedScene> list{{"cornell", scenes::make_cornell},
                                               {"bumpy", scenes::make_bumpy},
                                               {"caustic", scenes::make_caustic},
@@ -25,17 +28,29 @@ const std::vector<NamedScene>& all_scenes() {
     return list;
 }
 
-const NamedScene& find_scene(const std::string& name) {
-    for (const NamedScene& scene : all_scenes())
+/// Of room-SEED.
+std::optional<std::uint32_t> seed_in(const std::string& name) {
+    const std::string prefix = "room-";
+    std::uint32_t seed = 0;
+    if (!name.starts_with(prefix)) return std::nullopt;
+    const char* const end = name.data() + name.size();
+    const auto [rest, error] = std::from_chars(name.data() + prefix.size(), end, seed);
+    if (error != std::errc() || rest != end || name != fmt::format("{}{}", prefix, seed)) return std::nullopt;
+    return seed;
+}
+
+NamedScene find_scene(const std::string& name) {
+    for (const NamedScene& scene : own_scenes())
         if (scene.name == name) return scene;
-    throw common::InputError(
-        fmt::format("{}: no such scene; there are cornell, bumpy, caustic and atrium", name));
+    if (const auto seed = seed_in(name)) return {name, [seed] { return scenes::make_random_room(*seed); }};
+    throw common::InputError(fmt::format(
+        "{}: no such scene; there are cornell, bumpy, caustic, atrium and room-SEED, such as room-17", name));
 }
 
 void write_scenes(const std::filesystem::path& directory, const std::vector<std::string>& names) {
     std::vector<NamedScene> wanted;
     for (const std::string& name : names) wanted.push_back(find_scene(name));
-    if (wanted.empty()) wanted = all_scenes();
+    if (wanted.empty()) wanted = own_scenes();
 
     std::error_code error;
     std::filesystem::create_directories(directory, error);
@@ -56,7 +71,10 @@ int main(int argc, char** argv) {
     std::string directory;
     std::vector<std::string> names;
     app.add_option("OUT_DIR", directory, "where the files go; made if missing")->required();
-    app.add_option("NAME", names, "scenes to write: cornell, bumpy, caustic, atrium; all if none is named");
+    app.add_option(
+        "NAME", names,
+        "scenes to write: cornell, bumpy, caustic, atrium, all of these if none is named; room-SEED: a "
+        "random room");
     try {
         app.parse(argc, argv);
         write_scenes(directory, names);

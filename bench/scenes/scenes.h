@@ -10,4 +10,7 @@ namespace scenes {
 [[nodiscard]] SceneDescription make_caustic();
 [[nodiscard]] SceneDescription make_atrium();
 
+/// A closed room with boxes, shelves, lamps, textures and normal maps, all of it drawn from the seed.
+[[nodiscard]] SceneDescription make_random_room(std::uint32_t seed);
+
 }  // namespace scenes

@@ -10,16 +10,14 @@ namespace {
 using namespace bench;
 using namespace bench::fit;
 
-constexpr double texels = 16384, hits_per_texel = 4;
-
 class Explanation : public testing::Test {
   protected:
-    /// The median over the picture, of a map with few hits to a texel.
-    float median_width(CandidateKind kind) {
+    /// The median over the picture of a map that was not measured.
+    float median_width(double texels) {
         FitResult result;
-        result.candidates = {{kind, "L0/normalised", "bilinear/face", texels}};
-        result.samples.resize(1);  // not measured: no errors of surfaces
-        result.light_map.proposal.hits = hits_per_texel * texels;
+        result.candidates = {{CandidateKind::light_map, "L0/normalised", "bilinear/face", texels}};
+        result.samples.resize(1);
+        result.light_map.choice.proposal.hits = 1e5;
         const fit::Explanation explanation =
             explain(result, {loaded, source, prepared, points, 1, std::size_t{1} << 30});
         EXPECT_TRUE(explanation.surfaces.empty());
@@ -37,12 +35,13 @@ class Explanation : public testing::Test {
     FitPoints points = find_fit_points(loaded);
 };
 
-TEST_F(Explanation, ShowsTheBlocksThatShareLight) {
-    // Blocks are 1, 2, 4, ... texels wide and have fewer than 100 hits: four texels at the mean density,
-    // eight below 0.39 of it, two beyond 1.56 of it.
-    const float ratio = median_width(CandidateKind::sharing_map) / median_width(CandidateKind::light_map);
-    EXPECT_GE(ratio, 1.9f);
-    EXPECT_LE(ratio, 8.1f);
+TEST_F(Explanation, ShowsTexelsThatCoverTheScene) {
+    double area = 0;
+    for (std::uint32_t t = 0; t < loaded.scene.triangle.size(); ++t)
+        area += common::triangle_area(loaded.scene, t);
+    const float width = median_width(16384);
+    EXPECT_NEAR(width, std::sqrt(area / 16384), 0.2 * width);
+    EXPECT_NEAR(width / median_width(4096), 0.5, 0.05);
 }
 
 }  // namespace

@@ -40,6 +40,11 @@ class FitChoice : public testing::Test {
         const std::vector<NeededHits> needed = needed_by_error(estimates, goal);
         return choose({candidates, estimates, needed, costs, settings, max_bytes}, goal, light_maps);
     }
+    [[nodiscard]] std::string doubts_of(const Choice& choice, const std::string& lost_light = "") const {
+        const std::vector<NeededHits> needed = needed_by_error(estimates, goal);
+        return doubts({candidates, estimates, needed, costs, settings, std::size_t{1} << 40}, goal, choice,
+                      lost_light);
+    }
     [[nodiscard]] Choice light_map() const { return chosen(true); }
     [[nodiscard]] Choice photon_map() const { return chosen(false); }
 };
@@ -55,14 +60,25 @@ TEST_F(FitChoice, TakesTheLeastTime) {
 }
 
 TEST_F(FitChoice, IsUnsureWhereChanceMayHaveMadeIt) {
-    EXPECT_TRUE(is_sure(goal, light_map()));
+    EXPECT_EQ(doubts_of(light_map()), "");
     goal.z = 1.3;
     for (auto& model : estimates.model) model->bias_variance = 4e-4 * 4e-4;  // 0.21 of the target's square
     const Choice choice = light_map();
     ASSERT_TRUE(choice.reached) << choice.reason;
-    EXPECT_FALSE(is_sure(goal, choice));
+    EXPECT_NE(doubts_of(choice).find("chance"), std::string::npos);
     goal.target = 0.01;
-    EXPECT_TRUE(is_sure(goal, light_map())) << "that it is out of reach is another matter";
+    EXPECT_EQ(doubts_of(light_map()), "") << "that it is out of reach is another matter";
+}
+
+TEST_F(FitChoice, IsUnsureOfWhatWasNotMeasured) {
+    estimates.measured[0] = false;
+    EXPECT_NE(doubts_of(light_map()).find("coarser"), std::string::npos);
+    EXPECT_EQ(doubts_of(photon_map()), "");
+}
+
+TEST_F(FitChoice, IsUnsureOfLightThatNoPathFinds) {
+    EXPECT_NE(doubts_of(photon_map(), "light of 1 point lights").find("light of 1 point lights"),
+              std::string::npos);
 }
 
 TEST_F(FitChoice, PhotonMapsGrowAndSharesTakeEightPhotons) {
@@ -96,7 +112,7 @@ TEST_F(FitChoice, KeepsWithinBudgets) {
     ASSERT_TRUE(photon_map().reached);
     goal.budget_seconds = 20;
     EXPECT_FALSE(photon_map().reached);
-    EXPECT_NE(photon_map().reason.find("--time is 20 s"), std::string::npos) << photon_map().reason;
+    EXPECT_NE(photon_map().reason.find("--budget-time is 20 s"), std::string::npos) << photon_map().reason;
     goal.budget_bytes = 50e6;
     goal.budget_seconds = 1e9;
     EXPECT_TRUE(light_map().reached);
@@ -218,15 +234,14 @@ TEST(FitCandidates, GoFromCoarseToFineInEachChain) {
         }
 }
 
-TEST(FitCandidates, WhoseBlocksChangeWithHitsAreAloneInTheirChains) {
+TEST(FitCandidates, AdaptiveMapsAreAloneInTheirChains) {
     std::set<std::string> chains;
     for (const Candidate& candidate : all_candidates())
-        if (candidate.changes_with_hits()) {
+        if (candidate.is_adaptive()) {
             EXPECT_TRUE(chains.insert(candidate.chain()).second)
                 << "a law would be carried on: " << candidate.chain();
         }
-    EXPECT_TRUE(chains.contains("shlm/L4/radiance/bilinear/face/t4096/half"))
-        << "texels that share their light";
+    EXPECT_GT(chains.size(), 10u);
 }
 
 TEST(FitCosts, AreCarriedOnToLightMapsThatWereNotMeasured) {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <numeric>
 #include <random>
 
 #include "bench/experiments/fit/carry_on.h"
@@ -139,6 +138,35 @@ TEST(FitEstimate, KnowsItsOwnSpread) {
     }
 }
 
+// The spread over the points that a grid happens to hit is told from that of the noise.
+
+TEST(FitEstimate, KnowsHowMuchHangsOnItsPoints) {
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal;
+    constexpr double share = 0.02, crease = 0.5, noise = 0.05;  // of the points, and errors there, relative
+    Sample value, claimed;
+    const std::uint64_t runs = count_for(1000, 200);
+    const std::vector<Rgb> ones(points, Rgb(1));
+    const Measure by(ones, tile_of_points(), tiling);
+    for (std::uint64_t run = 0; run < runs; ++run) {
+        std::vector<Rgb> a, b;
+        for (std::uint32_t i = 0; i < points; ++i) {
+            const double bias = std::generate_canonical<double, 53>(random) < share ? crease : 0;
+            a.emplace_back(static_cast<float>(1 + bias + noise * normal(random)));
+            b.emplace_back(static_cast<float>(1 + bias + noise * normal(random)));
+        }
+        const SquareEstimate found = squared_difference({a, b}, {ones, ones}, by);
+        value.add(found.value);
+        claimed.add(found.sampling_variance + found.variance());
+        EXPECT_GT(found.sampling_variance, 4 * found.variance());
+    }
+    const double variance = std::pow(value.standard_error(), 2) * static_cast<double>(runs);
+    const double deviation =
+        std::hypot(variance * std::sqrt(2.0 / static_cast<double>(runs)), claimed.standard_error());
+    EXPECT_GT(claimed.mean(), variance - z_for(alpha) * deviation);
+    EXPECT_LT(claimed.mean(), 1.2 * variance + z_for(alpha) * deviation);
+}
+
 // deviation() bounds what a run's squared error differs from a pilot's estimate of it.
 
 TEST(FitEstimate, DeviationBoundsWhatRunsDifferFromEstimates) {
@@ -175,144 +203,118 @@ TEST(FitEstimate, DeviationBoundsWhatRunsDifferFromEstimates) {
     }
 }
 
-TEST(FitEstimate, AddsAndScalesEstimates) {
-    SquareEstimate sum{.value = 1, .tile_difference = {1, -2}, .tiling = {2, 1}};
-    sum += SquareEstimate{.value = 2, .tile_difference = {2, 2}, .tiling = {2, 1}}.scaled(0.5);
-    EXPECT_EQ(sum.value, 2);
-    EXPECT_EQ(sum.tile_difference, (std::vector<double>{2, -1}));
-    EXPECT_EQ(sum.variance(), 5);
-    sum += {};
-    EXPECT_EQ(sum.variance(), 5);
-}
-
 TEST(FitEstimate, RefusesToBeRelativeToNothing) {
     const std::vector<Rgb> black(points, Rgb(0));
     EXPECT_THROW(Measure(black, tile_of_points(), tiling), common::InputError);
 }
 
-// What stands in for the truth.
+// Against a truth that is noisy and has no bias.
 
-/// Squared biases by their own estimates of three maps that answer without noise, each with four times the
-/// texels of the one before.
-std::vector<double> estimated_bias_sq(const std::vector<std::vector<Rgb>>& answers) {
-    const std::vector<Candidate> candidates = {{CandidateKind::light_map, "L4/radiance", "own", 1024},
-                                               {CandidateKind::light_map, "L4/radiance", "own", 4096},
-                                               {CandidateKind::light_map, "L4/radiance", "own", 16384},
-                                               {CandidateKind::photon_share, "disc", "k", 64e-6}};
-    std::vector<PilotSample> samples(candidates.size());
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        const std::vector<Rgb>& seen = answers[i == 3 ? 1 : i];
-        samples[i].halves = {seen, seen};
-        samples[i].cost.hits = 1e6;
+/// All measured with a million hits a half.
+class FitTruth : public testing::Test {
+  protected:
+    std::vector<Candidate> candidates = {{CandidateKind::light_map, "L4/radiance", "own", 1024},
+                                         {CandidateKind::photon_radius, "disc", "r", 0.01},
+                                         {CandidateKind::photon_share, "disc", "k", 64e-6}};
+
+    /// Without noise.
+    [[nodiscard]] static PilotSample sample_of(const std::vector<Rgb>& answers) {
+        PilotSample sample;
+        sample.halves = {answers, answers};
+        sample.cost.hits = 1e6;
+        return sample;
     }
-    const auto estimates = estimate_errors(candidates, samples, fit_points(), 0, 1);
-    EXPECT_EQ(estimates->finest.candidate, 2u);
-    std::vector<double> bias_sq;
-    for (std::size_t i = 0; i < 3; ++i) bias_sq.push_back(estimates->model[i]->bias_sq());
-    return bias_sq;
-}
 
-/// Light of 1, so that squares are relative, with detail in octaves: texels of each size miss all finer ones.
-/// The first octave beyond the finest map has 1e-4, and each has `falls_by` times less than the one before,
-/// up to the last. Squared biases by their own estimates over what they are, from the coarsest map.
-std::vector<double> estimated_over_true_with_detail(double falls_by) {
-    constexpr int coarser = 2, finer = 3;  // octaves between the maps, and beyond the finest
-    std::mt19937_64 random(3);
-    std::normal_distribution<float> normal;
-    std::vector<std::vector<Rgb>> answers = {std::vector<Rgb>(points, Rgb(1, 1, 1))};
-    std::vector<double> energy;
-    for (int octave = -coarser; octave < finer; ++octave) {
-        const auto amplitude = static_cast<float>(std::sqrt(1e-4 * std::pow(falls_by, -octave)));
-        std::vector<Rgb> seen = answers.back();
-        double sum_sq = 0;
-        for (Rgb& value : seen) {
-            const float detail = amplitude * normal(random);
-            value += Rgb(1, 1, 1) * detail;
-            sum_sq += detail * detail;
-        }
-        answers.push_back(seen);
-        energy.push_back(sum_sq / points);
+    [[nodiscard]] static std::vector<Rgb> light() {
+        std::vector<Rgb> answers(points);
+        for (std::uint32_t i = 0; i < points; ++i) answers[i] = Rgb(light_at(i));
+        return answers;
     }
-    std::vector<double> ratio = estimated_bias_sq(answers);
-    for (std::size_t i = 0; i < ratio.size(); ++i)
-        ratio[i] /= std::accumulate(energy.begin() + static_cast<std::ptrdiff_t>(i), energy.end(), 0.0);
-    return ratio;
-}
 
-TEST(FitTruth, BlurThatFallsAsItsWidthIsKnown) {
-    const std::vector<double> ratio = estimated_over_true_with_detail(2);
-    EXPECT_NEAR(ratio[2], 1.5 * 8 / 7, 0.2) << "7 of 8 parts are there";
-    EXPECT_NEAR(ratio[1], 3.5 / 2 * 16 / 15, 0.2) << "what the finest map blurs is counted twice and a half";
-    EXPECT_NEAR(ratio[0], 5.5 / 4 * 32 / 31, 0.2);
-}
-
-TEST(FitTruth, BlurThatHardlyFallsIsNotOverlooked) {
-    const double found = estimated_over_true_with_detail(1.2)[2];
-    EXPECT_GT(found, 1) << "three octaves of three times what the finest map sees";
-    EXPECT_LT(found, 3);
-}
-
-/// An edge in light of 1 that a box of this width blurs; the image is 1 wide.
-std::vector<Rgb> blurred_edge(float width) {
-    constexpr float step = 0.01f;
-    std::vector<Rgb> answers;
-    for (std::uint32_t i = 0; i < points; ++i) {
-        const float x = (static_cast<float>(i) + 0.5f) / points - 0.5f;
-        answers.push_back(Rgb(1, 1, 1) * (1 + step * std::clamp(x / width + 0.5f, 0.0f, 1.0f)));
+    /// In the first half of the tiles too bright by this share of the light.
+    [[nodiscard]] static std::vector<Rgb> too_bright(float share) {
+        std::vector<Rgb> answers = light();
+        for (std::uint32_t i = 0; i < points / 2; ++i) answers[i] *= 1 + share;
+        return answers;
     }
-    return answers;
-}
 
-TEST(FitTruth, OfBlurredEdgesAQuarterIsMissedAtMost) {
-    constexpr float width = 0.05f;
-    const std::vector<double> bias_sq =
-        estimated_bias_sq({blurred_edge(4 * width), blurred_edge(2 * width), blurred_edge(width)});
-    const double blur_sq = width / 12 * 1e-4;  // of the finest: the integral of (step (1/2 - x / width))^2
-    constexpr double of_weights = 0.03;        // 1 / (R^2 + eps), R from 1 to 1.01
-    EXPECT_NEAR(bias_sq[2] / blur_sq, 3.0 / 4, of_weights);
-    EXPECT_NEAR(bias_sq[1] / (2 * blur_sq), 7.0 / 8, of_weights);
-    EXPECT_NEAR(bias_sq[0] / (4 * blur_sq), 31.0 / 32, of_weights);
-}
-
-/// By texels that are finer and finer and each see the light through more noise; and by a photon map of much
-/// bias and no noise.
-std::vector<PilotSample> samples_of_finer_maps(double noise_sq_of_finest) {
-    std::vector<PilotSample> samples(5);
-    std::mt19937_64 random(4);
-    std::normal_distribution<double> normal;
-    const std::vector<double> bias_sq = {0.0064, 0.0016, 0.0004, 0.0001, 0.0025};
-    for (std::size_t m = 0; m < samples.size(); ++m) {
-        const double noise =
-            m == 4 ? 0 : std::sqrt(noise_sq_of_finest * std::pow(4, static_cast<int>(m) - 3));
-        const auto half = [&] {
-            std::vector<Rgb> answers;
-            for (std::uint32_t i = 0; i < points; ++i) {
-                const double bias = (i % 2 == 0 ? 1 : -1) * std::sqrt(bias_sq[m]);
-                answers.emplace_back(static_cast<float>(1 + bias + noise * normal(random)));
-            }
-            return answers;
-        };
-        samples[m].halves = {half(), half()};
-        samples[m].cost.hits = 1e6;
+    /// Of each point by itself, relative.
+    [[nodiscard]] static Halves noisy_truth(float noise, std::uint64_t seed) {
+        std::mt19937_64 random(seed);
+        const Synthetic truth{.bias = 0, .noise = noise, .neighbours = 1};
+        return truth.halves(random);
     }
-    return samples;
+
+    [[nodiscard]] Estimates estimates_by(const std::vector<PilotSample>& samples, const Halves& truth) const {
+        return estimate_errors(candidates, samples, truth, fit_points(), {}, 1).value();
+    }
+};
+
+TEST_F(FitTruth, MeasuresEachKindOfMapWhateverTheOthersBlur) {
+    const std::vector<PilotSample> samples = {sample_of(too_bright(0.3f)), sample_of(too_bright(0.05f)),
+                                              sample_of(too_bright(0.2f))};
+    Sample light_map, photon_map;
+    double claimed = 0;
+    constexpr std::uint64_t runs = 60;
+    for (std::uint64_t run = 0; run < runs; ++run) {
+        const Estimates found = estimates_by(samples, noisy_truth(0.1f, run));
+        light_map.add(found.model[0]->bias_sq());
+        photon_map.add(found.model[1]->bias_sq());
+        claimed += found.model[1]->bias_variance / runs;
+    }
+    const auto true_bias_sq = [](double share) {
+        double sum = 0;
+        for (std::uint32_t i = 0; i < points / 2; ++i)
+            sum += weight_at(i) * std::pow(share * light_at(i), 2) / points;
+        return sum;
+    };
+    const double z = z_for(alpha);
+    constexpr double of_weights = 0.06;  // the light that errors are relative to is known to a few per cent
+    EXPECT_NEAR(light_map.mean(), true_bias_sq(0.3),
+                z * light_map.standard_error() + of_weights * true_bias_sq(0.3));
+    EXPECT_NEAR(photon_map.mean(), true_bias_sq(0.05),
+                z * photon_map.standard_error() + of_weights * true_bias_sq(0.05));
+    const double spread = photon_map.standard_error() * std::sqrt(static_cast<double>(runs));
+    EXPECT_LT(spread, 1.5 * std::sqrt(claimed)) << "it knows what the noise of the paths leaves open";
 }
 
-TEST(FitTruth, IsNoFinerThanWhatIsWantedCanBeMeasuredBy) {
-    const std::vector<Candidate> candidates = {{CandidateKind::light_map, "L4/radiance", "own", 1024},
-                                               {CandidateKind::light_map, "L4/radiance", "own", 4096},
-                                               {CandidateKind::light_map, "L4/radiance", "own", 16384},
-                                               {CandidateKind::light_map, "L4/radiance", "own", 65536},
-                                               {CandidateKind::photon_share, "disc", "k", 64e-6}};
-    const std::vector<PilotSample> samples = samples_of_finer_maps(0.003);
-    const auto by_itself = estimate_errors(candidates, samples, fit_points(), 0, 1);
-    const auto for_the_photon_map = estimate_errors(candidates, samples, fit_points(), 0.07, 1);
-    EXPECT_EQ(by_itself->finest.candidate, 3u) << "little noise beside its own blur";
-    EXPECT_EQ(for_the_photon_map->finest.candidate, 2u);
-    EXPECT_LT(for_the_photon_map->model[4]->bias_variance, by_itself->model[4]->bias_variance);
-    // All err in the same points by 5, 2 and 4 parts in 100: (5 - 2)^2 + (5 - 2) (4 - 2) + 3/2 (4 - 2)^2.
-    EXPECT_NEAR(for_the_photon_map->model[4]->bias_sq(), 0.0021,
-                z_for(alpha) * std::sqrt(for_the_photon_map->model[4]->bias_variance));
+TEST_F(FitTruth, WhatAllMapsReadTooBrightIsFound) {
+    const std::vector<PilotSample> samples(3, sample_of(too_bright(0.2f)));
+    const Estimates found = estimates_by(samples, noisy_truth(0.05f, 1));
+    for (const auto& model : found.model) EXPECT_NEAR(std::sqrt(model->bias_sq()), 0.2 / std::sqrt(2), 0.02);
+}
+
+TEST_F(FitTruth, ErrorsAreRelativeToTheLightWhereNoMapShowsIt) {
+    std::vector<Rgb> blurred = light();
+    for (std::uint32_t i = 0; i < points_per_tile; ++i) blurred[i] = Rgb(10);  // where half are 1
+    const std::vector<PilotSample> samples(3, sample_of(blurred));
+    const Estimates found = estimates_by(samples, noisy_truth(0.02f, 1));
+    double bias_sq = 0;
+    for (std::uint32_t i = 0; i < points_per_tile; ++i)
+        bias_sq += weight_at(i) * std::pow(10 - light_at(i), 2) / points;
+    EXPECT_NEAR(found.model[0]->bias_sq() / bias_sq, 1, 0.05) << "by blurred light it would be a seventh";
+}
+
+TEST_F(FitTruth, WithoutPathsTheFinestPhotonsStandInForIt) {
+    candidates.push_back({CandidateKind::photon_share, "disc", "k", 8e-6});
+    const std::vector<PilotSample> samples = {sample_of(too_bright(0.3f)), sample_of(too_bright(0.2f)),
+                                              sample_of(too_bright(0.1f)), sample_of(light())};
+    const Estimates found = estimates_by(samples, {});
+    EXPECT_EQ(found.model[3]->bias_sq(), 0);
+    EXPECT_GT(found.model[0]->bias_sq(), found.model[1]->bias_sq());
+    EXPECT_GT(found.model[1]->bias_sq(), found.model[2]->bias_sq());
+}
+
+TEST(FitEstimate, DoubtIsOfTheEstimateAloneNotOfTheRun) {
+    const ErrorModel model{.pilot_hits = 1e6,
+                           .noise_sq = 0.01,
+                           .bias_variance = 4e-8,
+                           .spread_variance = 1e-6,
+                           .noise_variance = 1e-6};
+    EXPECT_DOUBLE_EQ(model.doubt(1e9), 2e-4) << "many hits leave what is not known of the bias";
+    EXPECT_DOUBLE_EQ(model.doubt(1e6), 2e-4);
+    EXPECT_DOUBLE_EQ(model.doubt(0.5e6), std::sqrt(4e-8 + 2e-6));
+    EXPECT_GT(model.deviation(1e6), model.doubt(1e6));
 }
 
 // Hits for a target.

@@ -19,14 +19,16 @@ constexpr double target = 0.4;
 class Fit : public Command {
   protected:
     /// A pilot that is as small as can be, and a target that does not take more.
-    [[nodiscard]] static Words fit(const Words& more = {}, const std::string& wanted = "40%") {
-        Words words = {"fit", cornell, "--target", wanted, "--pilot", "25000", "--max-hits", "1e6"};
+    [[nodiscard]] static Words fit(const Words& more = {}, const std::string& wanted = "40%",
+                                   const std::string& pilot = "25000") {
+        Words words = {"fit", cornell, "--target", wanted, "--pilot", pilot, "--max-hits", "1e6"};
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }
 
-    [[nodiscard]] Json json_of(const Words& more, const std::string& wanted = "40%") const {
-        Words words = fit(more, wanted);
+    [[nodiscard]] Json json_of(const Words& more, const std::string& wanted = "40%",
+                               const std::string& pilot = "25000") const {
+        Words words = fit(more, wanted, pilot);
         words.emplace_back("--json");
         const Ended ended = run(words);
         EXPECT_EQ(ended.exit_code, 0) << ended.err;
@@ -42,12 +44,6 @@ class Fit : public Command {
 
 bool is_adaptive(const Json& choice) {
     return choice["method"].get<std::string>().starts_with("shlm/a");
-}
-
-/// Whose blocks change with the hits: these are as many as those of a pilot.
-bool changes_with_hits(const Json& choice) {
-    const std::string method = choice["method"];
-    return method.starts_with("shlm/") && method.find("/h0") == std::string::npos;
 }
 
 double sum_of_squares(const Json& row) {
@@ -68,11 +64,12 @@ TEST_F(Fit, ChoosesBothKindsAndSplitsTheirErrors) {
         const Json& entry = found[kind];
         ASSERT_TRUE(entry["reached"].get<bool>()) << entry;
         const Json& choice = entry["choice"];
+        EXPECT_GT(choice["prepare_seconds"], 0);
         EXPECT_TRUE(choice["method"].get<std::string>().starts_with(*kind == 'l' ? "shlm/" : "photonmap/"));
         EXPECT_NEAR(std::pow(choice["error"].get<double>(), 2), sum_of_squares(choice), 1e-9);
         EXPECT_LE(choice["error"], choice["bound"]);
         EXPECT_LE(choice["bound"].get<double>(), target + 1e-6);
-        if (!changes_with_hits(choice)) {
+        if (!is_adaptive(choice)) {
             EXPECT_GT(choice["bound"].get<double>(), target - 0.01) << "no more hits than it takes";
         }
         EXPECT_GT(choice["seconds"], 0);
@@ -92,7 +89,7 @@ TEST_F(Fit, MeetsTheTargetThatItWasGiven) {
             EXPECT_GE(runs[i]["hits"], found[kind]["choice"]["hits"]);
             // The points are others, and coarser ones, than the fit's.
             EXPECT_LT(runs[i]["error"], 1.2 * target) << kind;
-            if (!changes_with_hits(found[kind]["choice"])) {
+            if (!is_adaptive(found[kind]["choice"])) {
                 EXPECT_GT(runs[i]["error"], target / 2) << kind << ": far more than was asked for";
             }
         }
@@ -125,13 +122,14 @@ TEST_F(Fit, SeveralGoalsAreAnsweredAsEachAlone) {
     Json together = Json::parse(text_of(path("all/50-bytes/fit.json")));
     Json alone = Json::parse(text_of(path("alone/fit.json")));
     for (const char* kind : {"light_map", "photon_map"}) {
-        for (Json* found : {&together, &alone}) (*found)[kind]["choice"].erase("seconds");
+        for (Json* found : {&together, &alone})
+            for (const char* time : {"seconds", "prepare_seconds"}) (*found)[kind]["choice"].erase(time);
         EXPECT_EQ(together[kind], alone[kind]);
     }
 }
 
 TEST_F(Fit, ExplainsWhereErrorArisesAndWhatIsKept) {
-    const Ended ended = run(fit({"--explain", "--least", "bytes", "--out", path("out")}));
+    const Ended ended = run(fit({"--explain", "--least", "bytes", "--out", path("out")}, "40%", "40000"));
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
     EXPECT_EQ(files_in(path("out")), (std::set<std::string>{"fit.json", "fit.md", "models.json",
                                                             "explanation.json", "explanation.png"}));
@@ -237,6 +235,7 @@ TEST_F(Fit, RefusesWhatMeansNothing) {
         {{"--least", "time,money"}, "money"},
         {{"--budget-bytes", "little"}, "--budget-bytes"},
         {{"--time", "soon"}, "--time"},
+        {{"--budget-time", "soon"}, "--budget-time"},
         {{"--seeds", "0"}, "--seeds"},
         {{"--threads=-1"}, "--threads"},
         {{"--verify", path("none.exr")}, "none.exr"}};
@@ -248,17 +247,24 @@ TEST_F(Fit, RefusesWhatMeansNothing) {
     expect_refusal(fit({"--out", path("file")}), {"--out", "file"});
 }
 
-TEST_F(Fit, InterruptedLeavesNothing) {
+TEST_F(Fit, OutOfTimeItAnswersWithWhatItKnows) {
+    const Json found = json_of({"--time", "0.001s"}, "10%", "1e6");
+    EXPECT_EQ(found["pilot"]["stopped"], "--time is over");
+    EXPECT_LT(found["pilot"]["hits_of_each_half"], found["pilot"]["largest_allowed"]);
+    for (const char* kind : {"light_map", "photon_map"}) EXPECT_TRUE(found[kind].contains("sure"));
+}
+
+TEST_F(Fit, InterruptedItAnswersOrLeavesNothing) {
     Child child = start({"fit", cornell, "--target", "0.1%", "--pilot", "1e9", "--out", path("out")});
     ASSERT_TRUE(child_process::wait_until([&] { return fs::exists(path("out")); }));
     ASSERT_TRUE(child_process::wait_until([&] { return child.catches(SIGINT); }));
     child.send(SIGINT);
     const Ended ended = child.wait();
     EXPECT_EQ(ended.exit_code, 130);
-    EXPECT_NE(ended.err.find("shlmbench: fit stopped: what is not finished is not written\n"),
-              std::string::npos)
-        << ended.err;
-    EXPECT_EQ(files_in(path("out")), (std::set<std::string>{}));
+    EXPECT_NE(ended.err.find("shlmbench: fit stopped: "), std::string::npos) << ended.err;
+    const bool answered = ended.err.find("the last answer is what was known by then") != std::string::npos;
+    using Files = std::set<std::string>;
+    EXPECT_EQ(files_in(path("out")), answered ? Files({"fit.json", "fit.md", "models.json"}) : Files());
 }
 
 }  // namespace

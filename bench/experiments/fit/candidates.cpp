@@ -13,17 +13,14 @@ namespace {
 const std::vector<std::string> bases = {"L0/normalised", "AD/radiance",   "YL2/radiance", "H4/radiance",
                                         "L2/radiance",   "L2/normalised", "L4/radiance",  "L4/normalised"};
 const std::vector<std::string> gathers = {"own", "bilinear", "bilinear/face", "surface4", "surface8"};
-const std::vector<std::string> sharing_bases = {"L0/normalised", "AD/radiance", "YL2/radiance", "L2/radiance",
-                                                "L4/radiance"};
-const std::vector<std::string> changing_gathers = {"bilinear", "bilinear/face"};  // blocks change with hits
-const std::vector<std::string> kernels = {"disc", "epanechnikov"};
-constexpr double fewest_texels = 1024, most_texels = 4194304, most_sharing_texels = 262144;
-const std::vector<double> adaptive_percents = {0.7, 0.84, 1, 1.2, 1.4, 1.7, 2,  2.4, 2.8, 3.4, 4, 4.7,
-                                               5.6, 6.7,  8, 9.5, 11,  13,  16, 19,  22,  27,  32};
+const std::vector<std::string> adaptive_gathers = {"bilinear", "bilinear/face"};
+const std::vector<std::string> kernels = {"disc", "epanechnikov", "cone"};
+constexpr double fewest_texels = 1024, most_texels = 4194304;
+const std::vector<double> adaptive_percents = {0.7, 1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32};
 const std::vector<double> adaptive_texels = {16384, 65536, 262144, 1048576};
-constexpr double largest_radius = 0.1, smallest_radius = 0.001;  // scene diagonals
-constexpr int radii = 27;
-constexpr double largest_share = 16384e-6, smallest_share = 0.125e-6;
+constexpr double largest_radius = 0.05, smallest_radius = 0.00025;  // scene diagonals
+constexpr int radii = 25;
+constexpr double largest_share = 16384e-6, smallest_share = 16384e-6 / (1 << 20);
 constexpr std::uint64_t smallest_grid_k = 8, largest_grid_k = 65536;
 
 double radius(int step) {
@@ -43,8 +40,6 @@ std::string Candidate::name(std::uint64_t hits) const {
     switch (kind) {
         case CandidateKind::light_map:
             return fmt::format("shlm/{}/{}/t{:.0f}/h0/half", basis, gather, value);
-        case CandidateKind::sharing_map:
-            return fmt::format("shlm/{}/{}/t{:.0f}/half", basis, gather, value);
         case CandidateKind::adaptive_map:
             return fmt::format("shlm/a{:g}/normalised/{}/t{:.0f}", value, gather, texels);
         case CandidateKind::photon_radius:
@@ -56,7 +51,7 @@ std::string Candidate::name(std::uint64_t hits) const {
 }
 
 std::string Candidate::chain() const {
-    if (changes_with_hits()) return name(0);
+    if (is_adaptive()) return name(0);
     return fmt::format("{}/{}/{}", is_light_map() ? "shlm" : "photonmap", basis, gather);
 }
 
@@ -66,7 +61,6 @@ double Candidate::width() const {
             return 1 / std::sqrt(value);
         case CandidateKind::photon_radius:
             return value;
-        case CandidateKind::sharing_map:
         case CandidateKind::adaptive_map:
             return 0;
         case CandidateKind::photon_share:
@@ -91,11 +85,7 @@ std::vector<Candidate> all_candidates() {
         for (const std::string& gather : gathers)
             for (double texels = fewest_texels; texels <= most_texels; texels *= 4)
                 all.push_back({CandidateKind::light_map, basis, gather, texels});
-    for (const std::string& basis : sharing_bases)
-        for (const std::string& gather : changing_gathers)
-            for (double texels = fewest_texels; texels <= most_sharing_texels; texels *= 4)
-                all.push_back({CandidateKind::sharing_map, basis, gather, texels});
-    for (const std::string& gather : changing_gathers)
+    for (const std::string& gather : adaptive_gathers)
         for (const double texels : adaptive_texels)
             for (const double percent : adaptive_percents)
                 all.push_back({CandidateKind::adaptive_map, "adaptive", gather, percent, texels});

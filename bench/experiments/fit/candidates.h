@@ -12,7 +12,6 @@ namespace bench::fit {
 
 enum class CandidateKind {
     light_map,      ///< with so many texels, each of which shows its own hits
-    sharing_map,    ///< with so many texels, those with few hits in blocks that share their light
     adaptive_map,   ///< with an error of so many percent as it estimates it itself
     photon_radius,  ///< all photons within so many scene diagonals
     photon_share    ///< the k nearest, k being so large a share of all photons
@@ -21,8 +20,8 @@ enum class CandidateKind {
 /// A setting but for the number of hits. Its error has the same form for any number N of hits: blur and
 /// truncation do not depend on N, the variance falls as 1 / N. That is why texels show their own hits (/h0)
 /// and k grows with N. Light maps store halves: their rounding is far below any error that can be measured.
-/// Adaptive maps and texels that share their light are of another kind: their blocks change with N, and
-/// nothing is known of their error but at the N of the pilot.
+/// Adaptive maps are of another kind: their blocks change with N, and nothing is known of their error but at
+/// the N of the pilot.
 struct Candidate {
     CandidateKind kind;
     std::string basis;   ///< of a light map, "L2/radiance"; of a photon map its kernel
@@ -34,23 +33,17 @@ struct Candidate {
     [[nodiscard]] std::string name(std::uint64_t hits) const;
     [[nodiscard]] Contender contender(std::uint64_t hits) const { return parse_contender("fit", name(hits)); }
 
-    /// What all candidates have in common with which it differs in `value` alone; one that changes with the
-    /// hits is alone in its.
+    /// What all candidates have in common with which it differs in `value` alone; an adaptive map is alone in
+    /// its.
     [[nodiscard]] std::string chain() const;
 
-    /// Of the blur, in a unit of the chain's own: a texel's side, a radius. None of what changes with the
-    /// hits.
+    /// Of the blur, in a unit of the chain's own: a texel's side, a radius. 0 of an adaptive map.
     [[nodiscard]] double width() const;
 
-    [[nodiscard]] bool is_light_map() const {
-        return kind == CandidateKind::light_map || changes_with_hits();
-    }
-    [[nodiscard]] bool is_adaptive() const { return kind == CandidateKind::adaptive_map; }
+    [[nodiscard]] bool is_light_map() const { return kind == CandidateKind::light_map || is_adaptive(); }
 
-    /// Whether its blocks do.
-    [[nodiscard]] bool changes_with_hits() const {
-        return kind == CandidateKind::sharing_map || is_adaptive();
-    }
+    /// Whether its blocks change with the hits.
+    [[nodiscard]] bool is_adaptive() const { return kind == CandidateKind::adaptive_map; }
 };
 
 /// The k nearest are as many as parse_contender takes, and enough for their noise to be 1 / k.

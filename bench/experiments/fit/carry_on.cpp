@@ -22,6 +22,7 @@ ErrorModel with_bias_of(ErrorModel own, const ErrorModel& carried) {
     own.blur_sq = carried.blur_sq;
     own.truncation_sq = carried.truncation_sq;
     own.bias_variance = carried.bias_variance;
+    own.sampling_variance = carried.sampling_variance;
     return own;
 }
 
@@ -34,7 +35,9 @@ ErrorModel carried_on(const ErrorModel& coarse, double coarse_width, double widt
     model.spread_variance *= finer_sq;
     model.noise_variance *= finer_sq;
     model.blur_sq /= finer;
-    model.bias_variance /= coarse.truncation_sq > 0 ? 1 : finer_sq;
+    const double variance_falls_by = coarse.truncation_sq > 0 ? 1 : finer_sq;
+    model.bias_variance /= variance_falls_by;
+    model.sampling_variance /= variance_falls_by;
     return model;
 }
 

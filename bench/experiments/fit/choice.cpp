@@ -25,7 +25,7 @@ std::string target_text(const FitGoal& goal) {
 /// Of seconds or bytes, as the goal has it; where these are the same, the other. Not seconds but hits after
 /// bytes: a choice for bytes is the same again.
 std::pair<double, double> price(const Proposal& proposal, const FitGoal& goal) {
-    const auto& [seconds, bytes] = proposal.cost;
+    const auto& [seconds, bytes, once] = proposal.cost;
     return goal.least_bytes ? std::pair(bytes, proposal.hits) : std::pair(seconds, bytes);
 }
 
@@ -52,7 +52,8 @@ std::string beyond(const Knowledge& known, const FitGoal& goal, const Proposal& 
         return fmt::format("{:.4g} bytes, and --budget-bytes is {:.4g}", proposal.cost.bytes,
                            goal.budget_bytes);
     if (proposal.cost.seconds > goal.budget_seconds)
-        return fmt::format("{:.3g} s, and --time is {:.3g} s", proposal.cost.seconds, goal.budget_seconds);
+        return fmt::format("{:.3g} s, and --budget-time is {:.3g} s", proposal.cost.seconds,
+                           goal.budget_seconds);
     const auto hits = static_cast<std::uint64_t>(proposal.hits);
     const Contender method = known.candidates[proposal.candidate].contender(hits);
     const std::string memory = reason_to_skip(method, known.settings, hits, known.max_bytes);
@@ -81,7 +82,7 @@ Choice out_of_reach(const Knowledge& known, const FitGoal& goal, bool light_maps
     Choice choice;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < known.candidates.size(); ++i) {
-        if (!is_known(known, i, light_maps) || known.candidates[i].changes_with_hits()) continue;
+        if (!is_known(known, i, light_maps) || known.candidates[i].is_adaptive()) continue;
         if (known.needed[i].without_noise >= least) continue;
         least = known.needed[i].without_noise;
         choice.proposal = proposal_at(known, i, std::min(goal.max_hits, most_hits(known.candidates[i])));
@@ -127,10 +128,18 @@ Choice choose(const Knowledge& known, const FitGoal& goal, bool light_maps) {
             cheapest};
 }
 
-bool is_sure(const FitGoal& goal, const Choice& choice) {
+std::string doubts(const Knowledge& known, const FitGoal& goal, const Choice& choice,
+                   const std::string& lost_light) {
+    if (!choice.reached) return "";
+    if (!lost_light.empty())
+        return fmt::format("{}: no path finds it, so that errors are counted from the finest photon map",
+                           lost_light);
     const ErrorModel& model = choice.proposal.model;
-    return !choice.reached || z_of(goal, model) * model.deviation(choice.proposal.hits) <=
-                                  most_doubt * goal.target * goal.target;
+    if (z_of(goal, model) * model.doubt(choice.proposal.hits) > most_doubt * goal.target * goal.target)
+        return "chance has a large part in the estimate; a larger --pilot knows more";
+    if (!known.estimates.measured[choice.proposal.candidate])
+        return "its bias is carried on from coarser maps; a larger --pilot measures it";
+    return "";
 }
 
 }  // namespace bench::fit

@@ -41,11 +41,13 @@ struct Knowledge {
 
 [[nodiscard]] Choice choose(const Knowledge& known, const FitGoal& goal, bool light_maps);
 
-/// Of a choice's margin, and of the blur of what it is measured by: in squares of the target.
+/// What chance may have in an estimate, in squares of the target.
 inline constexpr double most_doubt = 0.15;
 
-/// Whether chance has little to say in it, or nothing was reached. With more doubt the least of many
-/// estimates is one that chance has flattered, and no margin for each alone makes up for that.
-[[nodiscard]] bool is_sure(const FitGoal& goal, const Choice& choice);
+/// Why the choice may miss the target more often than one time in ten; empty where nothing says so, or
+/// nothing was reached. With much doubt the least of many estimates is one that chance has flattered, and no
+/// margin for each alone makes up for that. `lost_light`: what no path finds.
+[[nodiscard]] std::string doubts(const Knowledge& known, const FitGoal& goal, const Choice& choice,
+                                 const std::string& lost_light);
 
 }  // namespace bench::fit

@@ -6,7 +6,8 @@ FitCost cost_at(const Candidate& candidate, const PilotCost& pilot, double hits)
     const double times = hits / pilot.hits, grows = candidate.is_light_map() ? 1 : times;
     return {.seconds = times * (pilot.trace_seconds + pilot.insert_seconds) +
                        grows * (pilot.build_seconds + pilot.gather_seconds),
-            .bytes = grows * pilot.bytes};
+            .bytes = grows * pilot.bytes,
+            .prepare_seconds = pilot.prepare_seconds};
 }
 
 std::vector<std::optional<PilotCost>> costs_of(std::span<const Candidate> candidates,
@@ -21,6 +22,7 @@ std::vector<std::optional<PilotCost>> costs_of(std::span<const Candidate> candid
             const double more = candidates[i].value / candidates[i - 1].value;
             costs[i]->bytes *= more;
             costs[i]->build_seconds *= more;
+            costs[i]->prepare_seconds *= more;
         }
     }
     return costs;

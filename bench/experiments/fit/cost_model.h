@@ -11,6 +11,7 @@ namespace bench::fit {
 struct FitCost {
     double seconds = 0;  ///< trace, insertion, index and the answers at all points: wall time of all threads
     double bytes = 0;    ///< of the finished map with its index
+    double prepare_seconds = 0;  ///< once for the scene, not in `seconds`
 };
 
 /// Tracing and insertion take their measured time for each hit. A photon map's bytes, index and gathers grow

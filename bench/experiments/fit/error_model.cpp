@@ -8,7 +8,14 @@ namespace bench::fit {
 double ErrorModel::deviation(double hits) const {
     const double x = pilot_hits / hits;
     const double noise_alone = std::min(noise_variance, 2 * spread_variance);
-    return std::sqrt(bias_variance + 2 * x * spread_variance + 2 * std::max(0.0, x * x - x) * noise_alone);
+    return std::sqrt(bias_variance + sampling_variance + 2 * x * spread_variance +
+                     2 * std::max(0.0, x * x - x) * noise_alone);
+}
+
+double ErrorModel::doubt(double hits) const {
+    const double x = pilot_hits / hits;
+    const double noise_alone = std::min(noise_variance, 2 * spread_variance);
+    return std::sqrt(bias_variance + std::max(0.0, x * x - x) * noise_alone);
 }
 
 std::optional<double> hits_for(const ErrorModel& model, double target, double z) {

@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "bench/contenders/adaptive_map.h"
-#include "bench/contenders/light_map_names.h"
-#include "bench/contenders/light_map_store.h"
+#include "bench/contenders/light_map.h"
 #include "bench/experiments/fit/traced_run.h"
 #include "common/core/input_error.h"
 #include "common/view/visible_surfaces.h"
 #include "shlm/adaptive/adaptive_map.h"
-#include "shlm/map/texel_blocks.h"
 
 namespace bench::fit {
 namespace {
@@ -27,7 +25,7 @@ Measure measure_of(const Measure& all, const FitPoints& points, const common::Sc
 }
 
 std::vector<SurfaceError> surface_errors(const FitResult& result, const PilotSubject& subject) {
-    const Proposal& choice = result.light_map.proposal;
+    const Proposal& choice = result.light_map.choice.proposal;
     const PilotSample& sample = result.samples[choice.candidate];
     if (!sample.present()) return {};
     const FitPoints& points = subject.points;
@@ -44,7 +42,7 @@ std::vector<SurfaceError> surface_errors(const FitResult& result, const PilotSub
             {.instance = i,
              .points = points_of[i] / static_cast<double>(points.point.size()),
              .noise_sq = noise_sq(sample.halves, measure) * sample.cost.hits / choice.hits,
-             .bias_sq = squared_difference(sample.halves, result.estimates.finest.truth, measure).value});
+             .bias_sq = squared_difference(sample.halves, result.estimates.truth, measure).value});
     }
     std::stable_sort(surfaces.begin(), surfaces.end(), [](const SurfaceError& a, const SurfaceError& b) {
         return a.noise_sq + a.bias_sq > b.noise_sq + b.bias_sq;
@@ -52,17 +50,11 @@ std::vector<SurfaceError> surface_errors(const FitResult& result, const PilotSub
     return surfaces;
 }
 
-/// What the pilot's seed brings to a contender's store.
-std::pair<FilledStore, common::TraceReport> filled(const Contender& contender, std::uint64_t hits,
-                                                   const PilotSubject& subject) {
+/// Made again with the pilot's seed.
+shlm::AdaptiveMap traced_map(const Contender& contender, std::uint64_t hits, const PilotSubject& subject) {
     FilledStore store({contender}, subject.prepared, subject.source);
     const common::TraceReport trace = traced_run(contender.name, subject.loaded, subject.source, subject.seed,
-                                                 {.hits = hits}, std::span(&store, 1));
-    return {std::move(store), trace};
-}
-
-shlm::AdaptiveMap traced_map(const Contender& contender, std::uint64_t hits, const PilotSubject& subject) {
-    const auto [store, trace] = filled(contender, hits, subject);
+                                                 {.hits = hits}, std::span(&store, 1), StopRule());
     return dynamic_cast<const AdaptiveLightMap&>(*contender.technique).map_of(*store.store, trace);
 }
 
@@ -80,32 +72,12 @@ std::vector<float> widths_of_whole_texels(const shlm::PreparedTexels& texels) {
     return width;
 }
 
-using HitCounts = shlm::TexelModel<0, shlm::ShWeight::normalised>;
-
-/// What only counts the hits of the same texels.
-Contender hit_counter(const LightMapTechnique& light_map) {
-    TexelSetting setting = light_map.setting();
-    setting.basis = &basis_named("L0");
-    setting.weight = HitCounts::weight;
-    const auto technique = std::make_shared<UniformLightMap>(setting, 0, false);
-    return {technique->name(), technique};
-}
-
-/// Of the blocks that texels show, by texel; of those of an adaptive map, were they one texel. World units.
-std::vector<float> widths_of_blocks(const Candidate& candidate, const Contender& method, std::uint64_t hits,
-                                    const PilotSubject& subject) {
-    const shlm::PreparedTexels& texels = method.light_map()->texels_of(subject.prepared);
-    if (candidate.is_adaptive()) return widths_of_whole_texels(texels);
+/// Of texels, each of which shows its own hits; of the blocks of an adaptive map, were they one texel. World
+/// units.
+std::vector<float> widths_of_texels(const shlm::PreparedTexels& texels, bool adaptive) {
+    if (adaptive) return widths_of_whole_texels(texels);
     std::vector<float> width;
     for (const shlm::TexelGeometry& texel : texels.geometry) width.push_back(std::sqrt(texel.area));
-    if (candidate.kind != CandidateKind::sharing_map) return width;
-    const auto& sharing = dynamic_cast<const UniformLightMap&>(*method.technique);
-    const auto [store, trace] = filled(hit_counter(sharing), hits, subject);
-    const auto& counts = static_cast<const SumsStore<HitCounts>&>(*store.store).sink().accumulator().sums();
-    const auto show = [&](std::uint32_t texel, const auto&, double area) {
-        width[texel] = static_cast<float>(std::sqrt(area));
-    };
-    shlm::TexelBlocks(counts, texels, sharing.least_hits(), show).show_all();
     return width;
 }
 
@@ -129,13 +101,13 @@ std::optional<SeenBlock> seen_block(const common::VisibleSurface& seen, const sh
 }  // namespace
 
 Explanation explain(const FitResult& result, const PilotSubject& subject) {
-    const Proposal& choice = result.light_map.proposal;
+    const Proposal& choice = result.light_map.choice.proposal;
     if (choice.hits == 0) throw common::InputError("--explain: no light map could be measured");
     const Candidate& candidate = result.candidates[choice.candidate];
     const auto hits = static_cast<std::uint64_t>(choice.hits);
     const Contender method = candidate.contender(hits);
-    const shlm::TexelLayout& layout = method.light_map()->texels_of(subject.prepared).layout;
-    const std::vector<float> width = widths_of_blocks(candidate, method, hits, subject);
+    const shlm::PreparedTexels& texels = method.light_map()->texels_of(subject.prepared);
+    const std::vector<float> width = widths_of_texels(texels, candidate.is_adaptive());
     std::optional<shlm::AdaptiveMap> adaptive;
     if (candidate.is_adaptive()) adaptive = traced_map(method, hits, subject);
 
@@ -143,8 +115,8 @@ Explanation explain(const FitResult& result, const PilotSubject& subject) {
     const std::string basis = candidate.basis.substr(0, candidate.basis.find('/'));
     for (const common::VisibleSurface& seen :
          common::visible_surfaces(subject.loaded.rays, subject.loaded.camera, picture_width, picture_height))
-        explanation.pixel.push_back(
-            seen_block(seen, layout, width, subject.loaded.scene, basis, adaptive ? &*adaptive : nullptr));
+        explanation.pixel.push_back(seen_block(seen, texels.layout, width, subject.loaded.scene, basis,
+                                               adaptive ? &*adaptive : nullptr));
     return explanation;
 }
 

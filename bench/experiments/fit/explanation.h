@@ -10,7 +10,7 @@ struct SurfaceError {
     std::uint32_t instance = 0;  ///< of the scene
     double points = 0;           ///< share of all points that lie on it
     double noise_sq = 0;         ///< over all surfaces the map's own
-    double bias_sq = 0;          ///< blur and truncation by the finest map; may come out below zero
+    double bias_sq = 0;          ///< blur and truncation; may come out below zero
 };
 
 /// A block of the map, or a texel that shows its own hits, as one pixel sees it.
@@ -28,7 +28,7 @@ struct Explanation {
 };
 
 /// Of the light map that was chosen, or comes nearest to the target. Traces it once more with the pilot's
-/// seed where its blocks depend on its hits. Throws Interrupted, and InputError where there is no such map.
+/// seed where its blocks depend on its hits. Throws Stopped, and InputError where there is no such map.
 [[nodiscard]] Explanation explain(const FitResult& result, const PilotSubject& subject);
 
 }  // namespace bench::fit

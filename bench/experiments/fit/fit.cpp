@@ -7,9 +7,11 @@
 #include "bench/experiments/fit/explanation_table.h"
 #include "bench/experiments/fit/fit_table.h"
 #include "bench/setup/command.h"
+#include "bench/setup/ending.h"
 #include "bench/setup/output_folder.h"
 #include "bench/setup/report.h"
 #include "common/core/input_error.h"
+#include "common/core/interrupt.h"
 #include "common/core/output_lock.h"
 #include "common/core/standard_streams.h"
 #include "common/core/threads.h"
@@ -33,7 +35,8 @@ struct FitDocuments {
 };
 
 FitVerification verification(const FitPlan& plan, const FitResult& result, ReferenceScene& scene) {
-    const auto runs_of = [&](const Choice& choice) {
+    const auto runs_of = [&](const Decision& decision) {
+        const Choice& choice = decision.choice;
         if (!choice.reached) return std::vector<VerifiedRun>{};
         return verify(result.candidates[choice.proposal.candidate],
                       static_cast<std::uint64_t>(choice.proposal.hits), plan.seed, plan.seeds, scene);
@@ -41,17 +44,22 @@ FitVerification verification(const FitPlan& plan, const FitResult& result, Refer
     return {runs_of(result.light_map), runs_of(result.photon_map), scene.reference_error()};
 }
 
+void add_explanation(const FitResult& result, const PilotSubject& subject, FitDocuments& documents) {
+    try {
+        const Explanation explanation = explain(result, subject);
+        documents.fit["explanation"] = explanation_as_json(explanation, subject.loaded.scene);
+        documents.picture = picture_as_json(explanation, documents.fit);
+    } catch (const Stopped&) {  // by the user: the answer is there without it
+    }
+}
+
 FitDocuments fitted(const FitPlan& plan, const FitGoal& goal, const FitScene& scene, PilotArchive& archive) {
-    const FitResult result = search(scene.subject, goal, {plan.pilot_hits}, archive);
+    const FitResult result = search(archive, goal, {plan.pilot_hits, plan.seconds});
     const FitVerification verified =
         scene.with_reference ? verification(plan, result, *scene.with_reference) : FitVerification{};
     FitDocuments documents{
         fit_as_json(plan, goal, scene.subject.loaded.scene, result, verified), models_as_json(result), {}};
-    if (plan.explain) {
-        const Explanation explanation = explain(result, scene.subject);
-        documents.fit["explanation"] = explanation_as_json(explanation, scene.subject.loaded.scene);
-        documents.picture = picture_as_json(explanation, documents.fit);
-    }
+    if (plan.explain) add_explanation(result, scene.subject, documents);
     return documents;
 }
 
@@ -85,8 +93,12 @@ void fit_all(const FitPlan& plan, const LoadedScene& loaded, const common::Photo
     print_lightmap_warnings(loaded, prepared);
     const FitPoints points = find_fit_points(loaded);
     const FitScene scene{{loaded, source, prepared, points, plan.seed, plan.max_bytes}, with_reference};
-    PilotArchive archive;
-    for (const FitGoal& goal : plan.goals) say(plan, goal, fitted(plan, goal, scene, archive), as_json);
+    PilotArchive archive(scene.subject);
+    for (const FitGoal& goal : plan.goals) {
+        say(plan, goal, fitted(plan, goal, scene, archive), as_json);
+        if (common::interrupted())
+            throw Interrupted("fit stopped: the last answer is what was known by then");
+    }
 }
 
 void fit_all(const FitPlan& plan, bool as_json) {

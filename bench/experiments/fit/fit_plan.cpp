@@ -28,7 +28,8 @@ FitGoal goal_of(const FitOptions& options, const std::string& target, const std:
     goal.least_bytes = least == "bytes";
     if (!options.budget_bytes.empty())
         goal.budget_bytes = static_cast<double>(parse_bytes("--budget-bytes", options.budget_bytes));
-    if (!options.budget_time.empty()) goal.budget_seconds = parse_seconds("--time", options.budget_time);
+    if (!options.budget_time.empty())
+        goal.budget_seconds = parse_seconds("--budget-time", options.budget_time);
     return goal;
 }
 
@@ -64,8 +65,11 @@ void FitOptions::add_to(Command& command) {
     command.option("--least", least,
                    "What is to be as little as can be: time, bytes, or time,bytes, one after the other");
     command.option("--budget-bytes", budget_bytes, "Finished maps must be no larger, such as 100MiB");
-    command.option("--time", budget_time, "Runs must be no longer, such as 30s");
+    command.option("--budget-time", budget_time, "Runs must be no longer, such as 30s");
     command.option("--max-hits", max_hits, "Runs must have no more hits");
+    command.option("--time", time,
+                   "The search for each target must be no longer, such as 10s: then it answers with what it "
+                   "knows, once it knows anything");
     command.option("--pilot", pilot, "Hits of each of the two halves of the pilot, at most");
     command.option("--max-memory", max_memory,
                    "Methods that would need more are not considered; default: 9/10 of what is free");
@@ -92,6 +96,8 @@ FitPlan make_plan(const FitOptions& options) {
     FitPlan plan{.file = options.file,
                  .goals = goals_of(options),
                  .pilot_hits = parse_count("--pilot", options.pilot),
+                 .seconds = options.time.empty() ? std::numeric_limits<double>::infinity()
+                                                 : parse_seconds("--time", options.time),
                  .max_bytes = options.max_memory.empty() ? default_max_bytes()
                                                          : parse_bytes("--max-memory", options.max_memory),
                  .reference = {},

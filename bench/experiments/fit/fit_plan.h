@@ -13,7 +13,7 @@
 namespace bench::fit {
 
 struct FitOptions {
-    std::string file, budget_bytes, budget_time, max_hits = "1e9", pilot = "1.28e8";
+    std::string file, budget_bytes, budget_time, time, max_hits = "1e9", pilot = "1.28e8";
     std::vector<std::string> targets, least = {"time"};
     std::string max_memory, verify, out;
     std::size_t seeds = 3;
@@ -28,6 +28,7 @@ struct FitPlan {
     std::string file;
     std::vector<FitGoal> goals;  ///< each target by each of `least`
     std::uint64_t pilot_hits;    ///< of each half, at most
+    double seconds;              ///< of a goal's search, once its first pilot is there
     std::size_t max_bytes;
     std::optional<std::filesystem::path> reference;  ///< to verify with
     std::size_t seeds;                               ///< runs of each verification

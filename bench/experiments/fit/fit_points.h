@@ -1,4 +1,4 @@
-// The points at which a fit asks its candidates: those that `study` measures errors at.
+// The points at which a fit asks its candidates.
 #pragma once
 
 #include <cstdint>
@@ -6,14 +6,16 @@
 
 #include "bench/experiments/fit/tiling.h"
 #include "bench/setup/scene_options.h"
+#include "common/view/visible_surfaces.h"
 
 namespace bench::fit {
 
 struct FitPoints {
     std::vector<common::SurfacePoint>
-        point;                         ///< what the camera sees on a grid of 96 x 54 pixels, row by row
-    std::vector<std::uint32_t> pixel;  ///< of each point: row by row
-    std::vector<std::uint32_t> tile;   ///< of each point: the part of the image that it is in
+        point;  ///< what the camera sees in 96 x 54 pixels, row by row, at a place drawn in each
+    std::vector<common::VisibleSurface> seen;  ///< the same points, for paths to start at
+    std::vector<std::uint32_t> pixel;          ///< of each point: row by row
+    std::vector<std::uint32_t> tile;           ///< of each point: the part of the image that it is in
     Tiling tiling;
     std::uint32_t width = 0, height = 0;  ///< of the image, pixels
 };

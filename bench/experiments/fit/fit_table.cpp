@@ -18,13 +18,14 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t rows_of_table = 12;
 
 constexpr const char* fit_definition =
-    "Errors are relative RMS over the points that the camera sees on a grid of 96 x 54 pixels, three "
-    "channels: "
+    "Errors are relative RMS over the points that the camera sees in 96 x 54 pixels, at a place drawn in "
+    "each, three channels: "
     "the root of mean (I - R)^2 / (R^2 + eps), eps = 0.01 (mean R)^2. noise, blur and truncation are the "
     "parts of "
     "the estimated error; their squares add up to its. bound: what nine of ten runs stay below if the "
     "estimates are "
-    "right. All but `verified` is found without a reference.";
+    "right; paths from the points tell the bias. All but `verified` is found without a reference. seconds: "
+    "trace, insertion, index and all answers; prepare_seconds: once for the scene.";
 
 constexpr const char* explanation_words =
     "By mesh instance, the most error first: its share of the points, what of the map's squared error arises "
@@ -46,6 +47,7 @@ Json proposal_as_json(const FitResult& result, const Proposal& proposal, double 
                 {"bound", std::sqrt(error_sq + z * model.deviation(proposal.hits))},
                 {"seconds", proposal.cost.seconds},
                 {"bytes", proposal.cost.bytes},
+                {"prepare_seconds", proposal.cost.prepare_seconds},
                 {"measured", static_cast<bool>(result.estimates.measured[proposal.candidate])}};
     if (proposal.expected) row["expected"] = *proposal.expected;
     return row;
@@ -63,9 +65,11 @@ Json runs_as_json(std::span<const VerifiedRun> runs) {
     return all;
 }
 
-Json choice_as_json(const FitResult& result, const Choice& choice, const FitGoal& goal,
-                    std::span<const VerifiedRun> verified) {
-    Json entry = {{"reached", choice.reached}, {"sure", is_sure(goal, choice)}};
+Json decision_as_json(const FitResult& result, const Decision& decision, const FitGoal& goal,
+                      std::span<const VerifiedRun> verified) {
+    const Choice& choice = decision.choice;
+    Json entry = {{"reached", choice.reached}, {"sure", decision.doubt.empty()}};
+    if (!decision.doubt.empty()) entry["doubt"] = decision.doubt;
     if (!choice.reached) entry["reason"] = choice.reason;
     if (choice.reached || choice.proposal.hits > 0)
         entry[choice.reached ? "choice" : "nearest"] = proposal_as_json(result, choice.proposal, goal.z);
@@ -85,8 +89,6 @@ const char* kind_name(CandidateKind kind) {
     switch (kind) {
         case CandidateKind::light_map:
             return "texels";
-        case CandidateKind::sharing_map:
-            return "texels that share light";
         case CandidateKind::adaptive_map:
             return "wanted percent";
         case CandidateKind::photon_radius:
@@ -98,14 +100,14 @@ const char* kind_name(CandidateKind kind) {
 }
 
 Json pilot_as_json(const FitPlan& plan, const FitResult& result) {
-    const Finest& finest = result.estimates.finest;
-    return {{"hits_of_each_half", result.pilot_hits},
-            {"largest_allowed", plan.pilot_hits},
-            {"seconds", result.pilot_seconds},
-            {"finest", result.candidates[finest.candidate].name(result.pilot_hits)},
-            {"finest_blur", std::sqrt(std::max(0.0, finest.blur_sq.value))},
-            {"finest_truncation", std::sqrt(std::max(0.0, finest.truncation_sq.value))},
-            {"best_answers", result.candidates[result.estimates.best].name(result.pilot_hits)}};
+    Json pilot = {{"hits_of_each_half", result.pilot_hits},
+                  {"largest_allowed", plan.pilot_hits},
+                  {"path_samples_of_each_half", result.truth_samples},
+                  {"seconds", result.pilot_seconds},
+                  {"best_answers", result.candidates[result.estimates.best].name(result.pilot_hits)}};
+    if (!result.lost_light.empty()) pilot["not_found_by_paths"] = result.lost_light;
+    if (!result.stopped.empty()) pilot["stopped"] = result.stopped;
+    return pilot;
 }
 
 /// 3.24e+07, 12.3 MB
@@ -121,11 +123,10 @@ constexpr const char* text_row =
 constexpr const char* markdown_row =
     "| {} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.4g} |\n";
 
-/// Whether chance made the choice, and what was measured.
+/// Whether the choice is sure, and what was measured.
 std::string measured_text(const Json& entry) {
     std::string text;
-    if (!entry["sure"].get<bool>())
-        text = "unsure: chance has a large part in the estimate; a larger --pilot knows more";
+    if (entry.contains("doubt")) text = fmt::format("not sure: {}", entry["doubt"].get<std::string>());
     if (!entry.contains("verified")) return text;
     text += text.empty() ? "measured: " : "; measured: ";
     bool first = true;
@@ -143,10 +144,13 @@ std::string measured_text(const Json& entry) {
 std::string pilot_text(const Json& document) {
     const Json& pilot = document["pilot"];
     const double target = document["target"];
-    return fmt::format("{}: target {:g} %, least {}; pilot of 2 x {:.3g} hits, seed {}, {:.3g} s",
-                       document["scene"].get<std::string>(), 100 * target,
-                       document["least"].get<std::string>(), pilot["hits_of_each_half"].get<double>(),
-                       document["seed"].get<std::uint64_t>(), pilot["seconds"].get<double>());
+    const std::string stopped =
+        pilot.contains("stopped") ? fmt::format(" ({})", pilot["stopped"].get<std::string>()) : "";
+    return fmt::format(
+        "{}: target {:g} %, least {}; pilot of 2 x {:.3g} hits and 2 x {} paths a point, seed {}, {:.3g} s{}",
+        document["scene"].get<std::string>(), 100 * target, document["least"].get<std::string>(),
+        pilot["hits_of_each_half"].get<double>(), pilot["path_samples_of_each_half"].get<std::uint64_t>(),
+        document["seed"].get<std::uint64_t>(), pilot["seconds"].get<double>(), stopped);
 }
 
 constexpr std::array<std::pair<const char*, const char*>, 2> kinds = {
@@ -172,10 +176,10 @@ Json fit_as_json(const FitPlan& plan, const FitGoal& goal, const common::Scene& 
                      {"max_hits", goal.max_hits},
                      {"seed", plan.seed},
                      {"pilot", pilot_as_json(plan, result)},
-                     {"light_map", choice_as_json(result, result.light_map, goal, verified.light_map)},
-                     {"photon_map", choice_as_json(result, result.photon_map, goal, verified.photon_map)},
-                     {"light_maps", rows_of(result, result.light_maps, z)},
-                     {"photon_maps", rows_of(result, result.photon_maps, z)}};
+                     {"light_map", decision_as_json(result, result.light_map, goal, verified.light_map)},
+                     {"photon_map", decision_as_json(result, result.photon_map, goal, verified.photon_map)},
+                     {"light_maps", rows_of(result, result.light_map.proposals, z)},
+                     {"photon_maps", rows_of(result, result.photon_map.proposals, z)}};
     if (plan.reference) {
         document["reference"] = plan.reference->string();
         document["reference_error"] = verified.reference_error;
@@ -198,6 +202,7 @@ Json models_as_json(const FitResult& result) {
                         {"blur_sq", model.blur_sq},
                         {"truncation_sq", model.truncation_sq},
                         {"bias_sq_standard_error", std::sqrt(model.bias_variance)},
+                        {"sampling_standard_error", std::sqrt(model.sampling_variance)},
                         {"spread_standard_error", std::sqrt(model.spread_variance)},
                         {"noise_standard_error", std::sqrt(model.noise_variance)}});
     }
@@ -224,11 +229,8 @@ std::string fit_as_text(const Json& document) {
 }
 
 std::string fit_as_markdown(const Json& document) {
-    const Json& pilot = document["pilot"];
-    std::string text =
-        fmt::format("# Settings for {}\n\n{}.\n\n{}\n\nAll are measured by {}, whose own blur is {:.3g} %.\n",
-                    document["scene"].get<std::string>(), pilot_text(document), fit_definition,
-                    pilot["finest"].get<std::string>(), 100 * pilot["finest_blur"].get<double>());
+    std::string text = fmt::format("# Settings for {}\n\n{}.\n\n{}\n", document["scene"].get<std::string>(),
+                                   pilot_text(document), fit_definition);
     for (const auto& [key, name] : kinds) {
         const Json& entry = document[key];
         text += fmt::format("\n## Best {}\n\n", name);

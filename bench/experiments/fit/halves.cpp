@@ -1,5 +1,6 @@
 #include "bench/experiments/fit/halves.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/difference/error_metrics.h"
@@ -39,31 +40,29 @@ double SquareEstimate::standard_error() const {
     return std::sqrt(variance());
 }
 
-SquareEstimate& SquareEstimate::operator+=(const SquareEstimate& other) {
-    value += other.value;
-    if (!other.tile_difference.empty()) tiling = other.tiling;
-    tile_difference.resize(std::max(tile_difference.size(), other.tile_difference.size()));
-    for (std::size_t t = 0; t < other.tile_difference.size(); ++t)
-        tile_difference[t] += other.tile_difference[t];
-    return *this;
-}
-
-SquareEstimate SquareEstimate::scaled(double factor) const {
-    SquareEstimate result = *this;
-    result.value *= factor;
-    for (double& difference : result.tile_difference) difference *= factor;
-    return result;
-}
-
 SquareEstimate squared_difference(const Halves& halves, const Halves& other, const Measure& measure) {
-    SquareEstimate estimate{
-        .value = 0, .tile_difference = std::vector<double>(measure.tiling.count()), .tiling = measure.tiling};
-    for_all_values(measure, [&](std::size_t i, int c, double weight) {
-        const double a = double{halves.a[i][c]} - other.a[i][c], b = double{halves.b[i][c]} - other.b[i][c];
-        estimate.value += weight * a * b;
-        estimate.tile_difference[measure.tile[i]] += 0.5 * weight * (a * a - b * b);
-    });
-    return estimate.scaled(1 / value_count(measure));
+    SquareEstimate estimate{.value = 0,
+                            .sampling_variance = 0,
+                            .tile_difference = std::vector<double>(measure.tiling.count()),
+                            .tiling = measure.tiling};
+    const std::size_t points = measure.weight.size();
+    double sum_of_squares = 0;  // of what points add, less half the square of what their halves differ by
+    for (std::size_t i = 0; i < points; ++i) {
+        double added = 0, difference = 0;
+        for (int c = 0; c < 3; ++c) {
+            const double a = double{halves.a[i][c]} - other.a[i][c];
+            const double b = double{halves.b[i][c]} - other.b[i][c];
+            const double share = double{measure.weight[i][c]} / value_count(measure);
+            added += share * a * b;
+            difference += 0.5 * share * (a * a - b * b);
+        }
+        estimate.value += added;
+        estimate.tile_difference[measure.tile[i]] += difference;
+        sum_of_squares += added * added - difference * difference;
+    }
+    const double of_mean = estimate.value * estimate.value / static_cast<double>(points);
+    estimate.sampling_variance = std::max(0.0, sum_of_squares - of_mean);
+    return estimate;
 }
 
 double mean_square(std::span<const Rgb> values, const Measure& measure) {
@@ -94,6 +93,23 @@ double most_noise_variance(const Halves& halves, const Measure& measure) {
 double variance_about(const Halves& halves, std::span<const Rgb> centre, const Measure& measure) {
     const std::vector<Rgb> fixed(centre.begin(), centre.end());
     return squared_difference(halves, {fixed, fixed}, measure).variance();
+}
+
+std::vector<Rgb> joined(const Halves& answers, const Halves& truth, const Measure& measure) {
+    std::vector<Rgb> mean = mean_of(answers);
+    const std::vector<Rgb> known = mean_of(truth);
+    std::vector<double> error_sq(measure.tiling.count()), truth_noise_sq(measure.tiling.count());
+    for_all_values(measure, [&](std::size_t i, int c, double weight) {
+        const double a = double{mean[i][c]} - truth.a[i][c], b = double{mean[i][c]} - truth.b[i][c];
+        error_sq[measure.tile[i]] += weight * a * b;
+        truth_noise_sq[measure.tile[i]] += weight * (a - b) * (a - b) / 4;  // of the mean of both
+    });
+    for (std::size_t i = 0; i < mean.size(); ++i) {
+        const double error = std::max(0.0, error_sq[measure.tile[i]]);
+        const double noise = truth_noise_sq[measure.tile[i]];
+        if (error > 0) mean[i] += static_cast<float>(error / (error + noise)) * (known[i] - mean[i]);
+    }
+    return mean;
 }
 
 std::vector<Rgb> mean_of(const Halves& halves) {

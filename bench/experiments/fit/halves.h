@@ -12,7 +12,7 @@ namespace bench::fit {
 /// What one candidate answers at the points by two independent halves of the photons, W/m^2.
 struct Halves {
     std::vector<common::Rgb> a, b;
-    [[nodiscard]] bool present() const { return !a.empty(); }
+    [[nodiscard]] bool present() const { return !a.empty() && !b.empty(); }
 };
 
 /// What a relative error is relative to, and where points stand in the image.
@@ -36,13 +36,14 @@ struct Measure {
 /// as alpha alpha'. So the tiles say what the variance of the estimate is (variance_of_sum).
 struct SquareEstimate {
     double value = 0;
+    /// Of the mean over other points of the image as many: from how much single points add, without what
+    /// noise makes of that. The points are a grid, and it hits narrow creases or misses them.
+    double sampling_variance = 0;
     std::vector<double> tile_difference;  ///< half the difference between the halves, of each tile
     Tiling tiling;
 
     [[nodiscard]] double variance() const;
     [[nodiscard]] double standard_error() const;
-    SquareEstimate& operator+=(const SquareEstimate& other);
-    [[nodiscard]] SquareEstimate scaled(double factor) const;
 };
 
 /// (What `halves` converges to - what `other` converges to)^2: mean of w (a - f_a)(b - f_b), without bias as
@@ -65,6 +66,12 @@ struct SquareEstimate {
 /// halves' squared distances to `centre`: what SquareEstimate's variance is where the other does not vary.
 [[nodiscard]] double variance_about(const Halves& halves, std::span<const common::Rgb> centre,
                                     const Measure& measure);
+
+/// Of the answers and of what `truth` has no bias of, the mean with the least error, tile by tile: each
+/// counts as the other errs there. By the answers alone light would be blurred where theirs is, and an error
+/// relative to it would count too little.
+[[nodiscard]] std::vector<common::Rgb> joined(const Halves& answers, const Halves& truth,
+                                              const Measure& measure);
 
 /// Mean of both halves.
 [[nodiscard]] std::vector<common::Rgb> mean_of(const Halves& halves);

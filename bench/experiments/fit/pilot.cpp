@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "bench/contenders/memory_need.h"
-#include "bench/experiments/fit/stop.h"
 #include "bench/experiments/fit/traced_run.h"
 #include "common/core/stopwatch.h"
 
@@ -13,8 +12,7 @@ namespace bench::fit {
 namespace {
 
 constexpr std::uint64_t first_photon_of_b = std::uint64_t{1} << 40;
-constexpr double least_hits_per_texel = 4;
-constexpr double most_texels_per_hit = 4;  // of an adaptive map: more make the same blocks of it, slowly
+constexpr double least_hits_per_texel = 2;  // an adaptive map of more has the same blocks, slowly
 
 /// Candidates that one store serves, by their places in the list.
 struct Group {
@@ -66,27 +64,28 @@ void add_cost(PilotCost& cost, const common::TraceReport& trace, const FilledSto
     cost.build_seconds += 0.5 * map.build_seconds;
     cost.gather_seconds += 0.5 * gather_seconds;
     cost.bytes += 0.5 * static_cast<double>(map.answers->bytes());
+    cost.prepare_seconds = filled.preparation.seconds;
 }
 
 void fill_half(const PilotSubject& subject, const std::vector<Group>& batch, std::uint64_t hits,
-               bool second_half, std::vector<PilotSample>& samples) {
+               bool second_half, const StopRule& stop, std::vector<PilotSample>& samples) {
     std::vector<FilledStore> stores;
     for (const Group& group : batch) {
-        stop_if_interrupted();  // millions of texels take seconds to lay out
+        stop.check();  // millions of texels take seconds to lay out
         stores.emplace_back(group.contenders, subject.prepared, subject.source);
     }
     const common::TraceReport trace =
         traced_run(fmt::format("{} pilot {:g}", subject.loaded.name, static_cast<double>(hits)),
                    subject.loaded, subject.source, subject.seed,
-                   {.hits = hits, .first_photon = second_half ? first_photon_of_b : 0}, stores);
+                   {.hits = hits, .first_photon = second_half ? first_photon_of_b : 0}, stores, stop);
     for (std::size_t g = 0; g < batch.size(); ++g) {
         for (std::size_t i = 0; i < batch[g].members.size(); ++i) {
-            stop_if_interrupted();
+            stop.check();
             PilotSample& sample = samples[batch[g].members[i]];
+            if (!second_half) sample = {};
             const FinishedMap map = batch[g].contenders[i]->finish(*stores[g].store, trace);
             const common::Stopwatch gather;
             (second_half ? sample.halves.b : sample.halves.a) = ask(*map.answers, subject.points.point);
-            if (!second_half) sample.cost = {};
             add_cost(sample.cost, trace, stores[g], map, gather.seconds());
         }
         stores[g].store.reset();
@@ -100,10 +99,8 @@ bool is_measurable(const Candidate& candidate, std::uint64_t hits) {
     switch (candidate.kind) {
         case CandidateKind::light_map:
             return candidate.value * least_hits_per_texel <= n;
-        case CandidateKind::sharing_map:
-            return candidate.value <= n;
         case CandidateKind::adaptive_map:
-            return candidate.texels <= most_texels_per_hit * n;
+            return candidate.texels * least_hits_per_texel <= n;
         case CandidateKind::photon_share:
             return candidate.value * n >= least_nearest && candidate.value * n <= most_nearest;
         case CandidateKind::photon_radius:
@@ -113,9 +110,11 @@ bool is_measurable(const Candidate& candidate, std::uint64_t hits) {
 }
 
 void run_pilot(const PilotSubject& subject, std::span<const Candidate> candidates,
-               std::span<const std::size_t> chosen, std::uint64_t hits, std::vector<PilotSample>& samples) {
+               std::span<const std::size_t> chosen, std::uint64_t hits, const StopRule& stop,
+               std::vector<PilotSample>& samples) {
     for (const std::vector<Group>& batch : batches_of(groups_of(candidates, chosen, hits), subject, hits))
-        for (const bool second_half : {false, true}) fill_half(subject, batch, hits, second_half, samples);
+        for (const bool second_half : {false, true})
+            fill_half(subject, batch, hits, second_half, stop, samples);
 }
 
 }  // namespace bench::fit

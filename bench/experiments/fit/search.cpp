@@ -3,31 +3,37 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/setup/ending.h"
 #include "common/core/input_error.h"
 
 namespace bench::fit {
 namespace {
 
 constexpr std::uint64_t growth = 4;
-constexpr int most_growths = 5;   // from the first pilot to the largest
-constexpr double enough = 1.1;    // a candidate's hits are known to a tenth
-constexpr double worth_it = 1.2;  // the choice might cost so much less if there were no doubt
+constexpr int most_growths = 6;                  // from the first pilot to the largest
+constexpr double enough = 1.1;                   // a candidate's hits are known to a tenth
+constexpr double worth_it = 1.2;                 // the choice might cost so much less if there were no doubt
+constexpr std::size_t most_rivals = 24;          // of one kind, in pilots after the first
+constexpr std::uint64_t cheap_hits = 1'000'000;  // a pilot's, both halves: a fraction of a second
 
 struct State {
-    const PilotSubject& subject;
+    PilotArchive& archive;
     const FitGoal& goal;
-    std::vector<Candidate> candidates = all_candidates();
-    std::vector<PilotSample> samples = std::vector<PilotSample>(candidates.size());
-    FitResult result = {};
+    FitResult result;
+    int truth_level = 0;
+
+    State(PilotArchive& a, const FitGoal& g) : archive(a), goal(g) {
+        result.candidates = archive.candidates();
+        result.samples.resize(result.candidates.size());
+        result.lost_light = archive.truth().lost_light();
+    }
 };
 
 Knowledge knowledge_of(const State& state) {
-    return {state.candidates,
-            state.result.estimates,
-            state.result.needed,
-            state.result.costs,
-            state.subject.prepared.settings(),
-            state.subject.max_bytes};
+    const FitResult& result = state.result;
+    const PilotSubject& subject = state.archive.subject();
+    return {result.candidates,           result.estimates, result.needed, result.costs,
+            subject.prepared.settings(), subject.max_bytes};
 }
 
 double price_of(const FitGoal& goal, const FitCost& cost) {
@@ -38,122 +44,166 @@ double price_of(const FitGoal& goal, const FitCost& cost) {
 double least_price(const State& state, std::size_t i) {
     const std::optional<double> hits = state.result.needed[i].least;
     if (!hits || *hits > state.goal.max_hits) return std::numeric_limits<double>::infinity();
-    return price_of(state.goal, cost_at(state.candidates[i], *state.result.costs[i], *hits));
+    return price_of(state.goal, cost_at(state.result.candidates[i], *state.result.costs[i], *hits));
+}
+
+/// Of the choice; infinite where nothing was reached.
+double price_of(const State& state, const Decision& decision) {
+    return decision.choice.reached ? price_of(state.goal, decision.choice.proposal.cost)
+                                   : std::numeric_limits<double>::infinity();
 }
 
 /// Whether its hits would hardly change if there were no doubt about them.
 bool is_settled(const State& state, std::size_t i) {
     const NeededHits& needed = state.result.needed[i];
-    return needed.sure && needed.likely && *needed.sure < enough * *needed.likely;
-}
-
-/// The finest maps that there are, by which all others are measured.
-bool is_measure(const State& state, std::size_t i) {
-    const Candidate& candidate = state.candidates[i];
-    const Candidate& finest = state.candidates[state.result.estimates.finest.candidate];
-    return candidate.kind == CandidateKind::light_map && candidate.basis == finest_basis() &&
-           candidate.value >= finest.value / 4;
-}
-
-bool is_worth_tracing(const State& state, std::size_t i) {
-    if (is_measure(state, i)) return true;
-    if (!state.result.estimates.model[i] || !state.result.costs[i]) return true;
-    const Choice& choice =
-        state.candidates[i].is_light_map() ? state.result.light_map : state.result.photon_map;
-    const double best =
-        choice.reached ? price_of(state.goal, choice.proposal.cost) : std::numeric_limits<double>::infinity();
-    const double least = least_price(state, i);
-    return std::isfinite(least) && least <= best && !is_settled(state, i);
+    return state.result.estimates.measured[i] && needed.sure && needed.likely &&
+           *needed.sure < enough * *needed.likely;
 }
 
 /// Whether a map that wants so much error of itself may be the cheapest that reaches the target.
 bool is_near_target(const Candidate& candidate, const FitGoal& goal) {
     if (!candidate.is_adaptive()) return true;
-    constexpr double least = 0.2, most = 1.5;  // few hits bring more error than was wanted
+    constexpr double least = 0.2, most = 1.2;  // few hits bring more error than was wanted
     const double wanted = candidate.value / 100 / goal.target;
     return wanted >= least && wanted <= most;
 }
 
-std::vector<std::size_t> to_trace(const State& state, std::uint64_t hits, bool first) {
+std::vector<std::size_t> all_measurable(const State& state, std::uint64_t hits) {
     std::vector<std::size_t> chosen;
-    for (std::size_t i = 0; i < state.candidates.size(); ++i)
-        if (is_measurable(state.candidates[i], hits) && is_near_target(state.candidates[i], state.goal) &&
-            (first || is_worth_tracing(state, i)))
+    for (std::size_t i = 0; i < state.result.candidates.size(); ++i)
+        if (is_measurable(state.result.candidates[i], hits) &&
+            is_near_target(state.result.candidates[i], state.goal))
             chosen.push_back(i);
+    return chosen;
+}
+
+/// Whether an adaptive map with so many hits takes longer to trace than the choice takes in all: then nothing
+/// that is found of it saves time.
+bool is_beaten(const State& state, const Candidate& candidate, std::uint64_t hits) {
+    const Choice& choice = state.result.light_map.choice;
+    if (!candidate.is_adaptive() || !choice.reached || state.goal.least_bytes) return false;
+    const PilotCost& cost = *state.result.costs[choice.proposal.candidate];
+    return cost.trace_seconds * static_cast<double>(hits) / cost.hits > choice.proposal.cost.seconds;
+}
+
+/// Of one kind, those of which nothing is known, and those that may be cheaper than the choice, or are the
+/// choice and not known well: the cheapest at their very best.
+std::vector<std::size_t> rivals(const State& state, std::uint64_t hits, bool light_maps) {
+    const FitResult& result = state.result;
+    const double price = price_of(state, light_maps ? result.light_map : result.photon_map);
+    std::vector<std::size_t> chosen;
+    std::vector<std::pair<double, std::size_t>> known;
+    for (const std::size_t i : all_measurable(state, hits)) {
+        if (result.candidates[i].is_light_map() != light_maps || is_beaten(state, result.candidates[i], hits))
+            continue;
+        if (!result.estimates.model[i] || !result.costs[i]) {
+            chosen.push_back(i);
+            continue;
+        }
+        const double least = least_price(state, i);
+        if (std::isfinite(least) && least <= price && !is_settled(state, i)) known.emplace_back(least, i);
+    }
+    std::sort(known.begin(), known.end());
+    if (known.size() > most_rivals) known.resize(most_rivals);
+    for (const auto& [least, i] : known) chosen.push_back(i);
+    return chosen;
+}
+
+std::vector<std::size_t> to_trace(const State& state, std::uint64_t hits) {
+    if (state.result.estimates.model.empty()) return all_measurable(state, hits);
+    std::vector<std::size_t> chosen = rivals(state, hits, true);
+    for (const std::size_t i : rivals(state, hits, false)) chosen.push_back(i);
+    std::sort(chosen.begin(), chosen.end());
     return chosen;
 }
 
 /// Whether knowing more could save little, or nothing can be saved.
-bool is_decided(const State& state, const Choice& choice, bool light_maps) {
-    for (std::size_t i = 0; i < state.candidates.size(); ++i) {
-        if (state.candidates[i].is_light_map() != light_maps || !state.result.estimates.model[i]) continue;
+bool is_decided(const State& state, const Decision& decision, bool light_maps) {
+    for (std::size_t i = 0; i < state.result.candidates.size(); ++i) {
+        if (state.result.candidates[i].is_light_map() != light_maps || !state.result.estimates.model[i])
+            continue;
         const double least = least_price(state, i);
-        if (!std::isfinite(least)) continue;
-        if (!choice.reached || least * worth_it < price_of(state.goal, choice.proposal.cost)) return false;
+        if (std::isfinite(least) && least * worth_it < price_of(state, decision)) return false;
     }
     return true;
 }
 
-/// Whether what all maps are measured by blurs little itself. The rest is extrapolated, and creases narrower
-/// than its texels are in no extrapolation: on the atrium a few points in such creases have half the error.
-bool is_well_measured(const State& state) {
-    if (!state.result.light_map.reached && !state.result.photon_map.reached) return true;
-    const double blur_sq = std::max(0.0, state.result.estimates.finest.blur_sq.value);
-    return blur_sq <= most_doubt * state.goal.target * state.goal.target;
+bool is_open(const State& state) {
+    const auto open = [&](const Decision& decision, bool light_maps) {
+        return !decision.doubt.empty() || !is_decided(state, decision, light_maps);
+    };
+    return open(state.result.light_map, true) || open(state.result.photon_map, false);
 }
 
-/// Whether the next pilot would be larger than many of the runs it is about: those with the most hits that
-/// are allowed, where the target is out of reach so far.
-bool is_dearer_than_runs(const State& state, std::uint64_t next_hits) {
-    const auto hits_of = [&](const Choice& choice) {
-        return choice.reached ? choice.proposal.hits : state.goal.max_hits;
+/// Whether the next pilot would be large beside the runs that it is about.
+bool is_too_dear(const State& state, std::uint64_t next_hits) {
+    const auto hits_of = [&](const Decision& decision) {
+        return decision.choice.reached ? decision.choice.proposal.hits : state.goal.max_hits;
     };
-    constexpr double worth = 16;  // what is found serves many runs
-    return 2 * static_cast<double>(next_hits) >
-           worth * (hits_of(state.result.light_map) + hits_of(state.result.photon_map));
+    constexpr double worth = 0.25;
+    const double runs = hits_of(state.result.light_map) + hits_of(state.result.photon_map);
+    return 2 * next_hits > cheap_hits && 2 * static_cast<double>(next_hits) > worth * runs;
+}
+
+Decision decided(const State& state, bool light_maps) {
+    const Knowledge known = knowledge_of(state);
+    Decision decision{choose(known, state.goal, light_maps), "", {}};
+    decision.doubt = doubts(known, state.goal, decision.choice, state.result.lost_light);
+    return decision;
 }
 
 /// Chooses anew from all samples. False where the pilot was too small for that.
-bool choose_both(State& state) {
-    auto estimates = estimate_errors(state.candidates, state.samples, state.subject.points, state.goal.target,
-                                     state.goal.z);
+bool choose_both(State& state, const StopRule& stop) {
+    static const Halves none;
+    FitResult& result = state.result;
+    const Halves& truth =
+        result.lost_light.empty() ? state.archive.truth().at(state.truth_level, stop) : none;
+    auto estimates = estimate_errors(result.candidates, result.samples, truth, state.archive.subject().points,
+                                     std::move(result.estimates.best_answers), state.goal.z);
     if (!estimates) return false;
-    state.result.estimates = std::move(*estimates);
-    state.result.needed = needed_by_error(state.result.estimates, state.goal);
-    state.result.costs = costs_of(state.candidates, state.samples);
-    state.result.light_map = choose(knowledge_of(state), state.goal, true);
-    state.result.photon_map = choose(knowledge_of(state), state.goal, false);
+    result.estimates = std::move(*estimates);
+    result.truth_samples = truth.present() ? PathTruth::samples_of(state.truth_level) : 0;
+    result.needed = needed_by_error(result.estimates, state.goal);
+    result.costs = costs_of(result.candidates, result.samples);
+    result.light_map = decided(state, true);
+    result.photon_map = decided(state, false);
     return true;
 }
 
-/// Those whose blocks change with their hits, and that reach the target with the hits of their sample.
-std::vector<std::size_t> to_trace_with_fewer(const State& state, std::uint64_t hits) {
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = 0; i < state.candidates.size(); ++i)
-        if (state.candidates[i].changes_with_hits() && state.result.needed[i].sure &&
-            is_measurable(state.candidates[i], hits))
-            chosen.push_back(i);
-    return chosen;
+/// Half of what doubt there may be.
+bool truth_is_noisy(const State& state) {
+    return state.result.truth_samples > 0 && state.goal.z * state.result.estimates.truth_doubt >
+                                                 most_doubt / 2 * state.goal.target * state.goal.target;
+}
+
+/// Chooses, with more paths where these are wanting: at most one level for each pilot. False where the pilot
+/// was too small to choose from.
+bool choose_by_paths(State& state, int most_level, const StopRule& stop) {
+    if (!choose_both(state, stop)) return false;
+    while (state.truth_level < most_level && truth_is_noisy(state) && is_open(state)) {
+        ++state.truth_level;
+        (void)choose_both(state, stop);
+    }
+    return true;
 }
 
 /// Where blocks change with the hits, nothing says how many suffice but a run with so many, and those of the
-/// pilots are far apart. Tries fewer than the light map that was chosen has, and fewer again, as long as one
-/// of them is cheaper. All are measured by the finest maps of the largest pilot.
-void look_for_fewer_hits(State& state) {
+/// pilots are far apart. Tries fewer than the adaptive map that was chosen has, and fewer again, as long as
+/// it is cheaper.
+void look_for_fewer_hits(State& state, const StopRule& stop) {
     constexpr double share = 0.8;
-    const Choice& choice = state.result.light_map;
-    for (double hits = share * choice.proposal.hits; choice.reached; hits *= share) {
-        const double price = price_of(state.goal, choice.proposal.cost);
-        const auto fewer = static_cast<std::uint64_t>(hits);
-        const std::vector<std::size_t> tried = to_trace_with_fewer(state, fewer);
-        const std::vector<PilotSample> known = state.samples;
-        run_pilot(state.subject, state.candidates, tried, fewer, state.samples);
-        (void)choose_both(state);
-        const bool cheaper = choice.reached && price_of(state.goal, choice.proposal.cost) < price;
-        for (const std::size_t i : tried)
-            if (!cheaper || !state.result.needed[i].sure) state.samples[i] = known[i];
-        (void)choose_both(state);
-        if (!cheaper) return;
+    const Choice& choice = state.result.light_map.choice;
+    while (choice.reached && state.result.candidates[choice.proposal.candidate].is_adaptive()) {
+        const std::size_t chosen = choice.proposal.candidate;
+        const double price = price_of(state, state.result.light_map);
+        const auto fewer = static_cast<std::uint64_t>(share * choice.proposal.hits);
+        const PilotSample known = state.result.samples[chosen];
+        state.archive.run_pilot(std::span(&chosen, 1), fewer, stop, state.result.samples);
+        (void)choose_both(state, stop);
+        if (price_of(state, state.result.light_map) < price) continue;
+        state.result.samples[chosen] = known;
+        (void)choose_both(state, stop);
+        return;
     }
 }
 
@@ -164,34 +214,42 @@ std::uint64_t first_pilot_hits(std::uint64_t largest) {
     return hits;
 }
 
+/// The pilots after the first, which has `hits` a half.
+void grow_pilot(State& state, std::uint64_t hits, const SearchLimits& limits, const StopRule& stop) {
+    bool known = !state.result.estimates.model.empty();
+    for (int level = 1; !known || is_open(state); ++level) {
+        hits *= growth;
+        if (hits > limits.pilot_hits || (known && is_too_dear(state, hits))) break;
+        state.archive.run_pilot(to_trace(state, hits), hits, stop, state.result.samples);
+        state.result.pilot_hits = hits;
+        known = choose_by_paths(state, level, stop);
+    }
+    if (known && !state.goal.least_bytes) look_for_fewer_hits(state, stop);
+}
+
 }  // namespace
 
-FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchLimits& limits,
-                 PilotArchive& archive) {
-    State state{subject, goal};
+FitResult search(PilotArchive& archive, const FitGoal& goal, const SearchLimits& limits) {
+    State state(archive, goal);
     const common::Stopwatch watch;
-    bool known = false;
-    for (std::uint64_t hits = first_pilot_hits(limits.pilot_hits); hits <= limits.pilot_hits;
-         hits *= growth) {
-        archive.run_pilot(subject, to_trace(state, hits, !known), hits, state.samples);
-        state.result.pilot_hits = hits;
-        known = choose_both(state);
-        if (!known || !is_well_measured(state) || !is_sure(goal, state.result.light_map) ||
-            !is_sure(goal, state.result.photon_map))
-            continue;
-        if (is_dearer_than_runs(state, hits * growth) || (is_decided(state, state.result.light_map, true) &&
-                                                          is_decided(state, state.result.photon_map, false)))
-            break;
+    const StopRule by_time(limits.seconds), by_user;
+    const std::uint64_t first = first_pilot_hits(limits.pilot_hits);
+    try {
+        archive.run_pilot(to_trace(state, first), first, by_user, state.result.samples);
+        state.result.pilot_hits = first;
+        (void)choose_both(state, by_user);
+        grow_pilot(state, first, limits, by_time);
+    } catch (const Stopped& reason) {
+        state.result.stopped = reason.what();
     }
-    if (!known)
-        throw common::InputError(
-            "--pilot: too few hits to tell the blur of any light map; take more, or free memory");
-    if (!goal.least_bytes) look_for_fewer_hits(state);
-    state.result.light_maps = proposals(knowledge_of(state), goal, true);
-    state.result.photon_maps = proposals(knowledge_of(state), goal, false);
+    if (state.result.estimates.model.empty()) {
+        if (!state.result.stopped.empty())
+            throw Interrupted("fit stopped: what is not finished is not written");
+        throw common::InputError("--pilot: too few hits to measure any map; take more, or free memory");
+    }
+    state.result.light_map.proposals = proposals(knowledge_of(state), goal, true);
+    state.result.photon_map.proposals = proposals(knowledge_of(state), goal, false);
     state.result.pilot_seconds = watch.seconds();
-    state.result.candidates = std::move(state.candidates);
-    state.result.samples = std::move(state.samples);
     return std::move(state.result);
 }
 

@@ -10,7 +10,15 @@ namespace bench::fit {
 inline constexpr std::uint64_t fewest_pilot_hits = 25'000;
 
 struct SearchLimits {
-    std::uint64_t pilot_hits = 0;  ///< of each half of the last pilot, at most
+    std::uint64_t pilot_hits = 0;                              ///< of each half of the last pilot, at most
+    double seconds = std::numeric_limits<double>::infinity();  ///< for all but the first pilot
+};
+
+/// One kind of map: the choice, and how sure it is.
+struct Decision {
+    Choice choice;
+    std::string doubt;                ///< empty where it is sure (doubts)
+    std::vector<Proposal> proposals;  ///< all that reach the target, the least cost first
 };
 
 /// All that a fit has found out.
@@ -20,22 +28,22 @@ struct FitResult {
     std::vector<NeededHits> needed;               ///< in the candidates' order
     std::vector<PilotSample> samples;             ///< in the candidates' order
     std::vector<std::optional<PilotCost>> costs;  ///< in the candidates' order
-    Choice light_map, photon_map;
-    std::vector<Proposal> light_maps, photon_maps;  ///< all that reach the target, the least cost first
-    std::uint64_t pilot_hits = 0;                   ///< of each half of the largest pilot that was traced
-    double pilot_seconds = 0;  ///< wall time of all pilots that no goal before had asked for
+    Decision light_map, photon_map;
+    std::uint64_t pilot_hits = 0;     ///< of each half of the largest pilot that was traced
+    std::uint64_t truth_samples = 0;  ///< of each point and half
+    std::string lost_light;           ///< what no path finds; then photons stand in for the truth
+    double pilot_seconds = 0;         ///< wall time of all that no goal before had asked for
+    std::string stopped;              ///< what ended the search before it was done; empty where it was
 };
 
-/// Begins with 1/1024 of the largest pilot, or the least share by powers of four that has
-/// fewest_pilot_hits, and takes four times as much until the finest map blurs little itself, the choices
-/// owe little to chance and either knowing more could hardly save anything or the next pilot would have
-/// more hits than 16 of the two chosen runs; at most to the largest. What is out of reach counts as a run
-/// of max_hits. Candidates that cannot be chosen any more, or of which enough is known, are not traced
-/// again. Where time is the goal and blocks change with the hits, smaller pilots follow, as long as one of
-/// them makes the light map cheaper. Throws Interrupted, and InputError where the camera sees nothing or it
-/// is dark there. The result is the same whatever the archive holds, but for times, which were measured
-/// once.
-[[nodiscard]] FitResult search(const PilotSubject& subject, const FitGoal& goal, const SearchLimits& limits,
-                               PilotArchive& archive);
+/// Begins with few hits and takes four times as many until both choices are sure and knowing more could save
+/// little, or the next pilot would cost more than a fourth of the two chosen runs (what is out of reach
+/// counts as a run of max_hits); at most to the largest. Paths double until their noise is no part of the
+/// doubt. Candidates that cannot be chosen any more, or of which enough is known, are not traced again. Where
+/// time is the goal and an adaptive map was chosen, smaller pilots of it follow, as long as one is cheaper.
+/// Stopped by the user or by its time once the first pilot is there, it answers with what it knows. Throws
+/// Interrupted before that, and InputError where the camera sees nothing or it is dark there. The result is
+/// the same whatever the archive holds, but for times, which were measured once.
+[[nodiscard]] FitResult search(PilotArchive& archive, const FitGoal& goal, const SearchLimits& limits);
 
 }  // namespace bench::fit

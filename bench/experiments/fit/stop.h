@@ -1,14 +1,35 @@
-// A fit that is interrupted keeps the goals that it has finished.
+// When a fit gives up what it is at: where the user has ended it, or its time is over.
 #pragma once
 
-#include "bench/setup/ending.h"
+#include <limits>
+#include <stdexcept>
+
 #include "common/core/interrupt.h"
+#include "common/core/stopwatch.h"
 
 namespace bench::fit {
 
-/// Throws Interrupted where the user has ended the run.
-inline void stop_if_interrupted() {
-    if (common::interrupted()) throw Interrupted("fit stopped: what is not finished is not written");
-}
+/// The search ends here, with what it knows.
+class Stopped : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+class StopRule {
+  public:
+    /// Counts from now.
+    explicit StopRule(double seconds = std::numeric_limits<double>::infinity()) : seconds_(seconds) {}
+
+    [[nodiscard]] bool over() const { return common::interrupted() || clock_.seconds() > seconds_; }
+
+    /// Throws Stopped, saying what ended it.
+    void check() const {
+        if (over()) throw Stopped(common::interrupted() ? "interrupted" : "--time is over");
+    }
+
+  private:
+    common::Stopwatch clock_;
+    double seconds_;
+};
 
 }  // namespace bench::fit

@@ -1,16 +1,17 @@
-// A run of a fit's own: shows how far it is, and ends where the user ends it.
+// A run of a fit's own: shows how far it is, and ends where it is to stop.
 #pragma once
 
 #include <string>
 
 #include "bench/contenders/trace_into.h"
+#include "bench/experiments/fit/stop.h"
 
 namespace bench::fit {
 
-/// Throws Interrupted.
+/// Throws Stopped.
 [[nodiscard]] common::TraceReport traced_run(const std::string& title, const LoadedScene& scene,
                                              const common::PhotonSource& source, std::uint64_t seed,
-                                             const common::TraceTarget& target,
-                                             std::span<FilledStore> stores);
+                                             const common::TraceTarget& target, std::span<FilledStore> stores,
+                                             const StopRule& stop);
 
 }  // namespace bench::fit

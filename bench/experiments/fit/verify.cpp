@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "bench/contenders/trace_into.h"
-#include "bench/experiments/fit/stop.h"
 #include "bench/experiments/fit/traced_run.h"
 #include "common/core/stopwatch.h"
 #include "common/difference/error_metrics.h"
@@ -12,10 +11,10 @@ namespace bench::fit {
 namespace {
 
 VerifiedRun run_once(const Contender& contender, std::uint64_t hits, std::uint64_t seed,
-                     ReferenceScene& scene) {
+                     ReferenceScene& scene, const StopRule& stop) {
     FilledStore filled({contender}, scene.prepared(), scene.source());
     const auto trace = traced_run(fmt::format("{} seed {}", contender.name, seed), scene.loaded(),
-                                  scene.source(), seed, {.hits = hits}, std::span(&filled, 1));
+                                  scene.source(), seed, {.hits = hits}, std::span(&filled, 1), stop);
     const FinishedMap map = contender->finish(*filled.store, trace);
     const common::Stopwatch gather;
     const std::vector<common::Rgb> answers = ask(*map.answers, scene.points());
@@ -25,7 +24,7 @@ VerifiedRun run_once(const Contender& contender, std::uint64_t hits, std::uint64
     const common::DifferenceFigures figures = common::difference(answers, scene.truth());
     run.error = figures.relative_rms;
     run.worst_share = figures.worst_share;
-    stop_if_interrupted();
+    stop.check();
     return run;
 }
 
@@ -35,7 +34,11 @@ std::vector<VerifiedRun> verify(const Candidate& candidate, std::uint64_t hits, 
                                 std::size_t seeds, ReferenceScene& scene) {
     const Contender contender = candidate.contender(hits);
     std::vector<VerifiedRun> runs;
-    for (std::size_t i = 1; i <= seeds; ++i) runs.push_back(run_once(contender, hits, pilot_seed + i, scene));
+    try {
+        for (std::size_t i = 1; i <= seeds; ++i)
+            runs.push_back(run_once(contender, hits, pilot_seed + i, scene, StopRule()));
+    } catch (const Stopped&) {  // by the user: what is there is kept
+    }
     return runs;
 }
 

@@ -18,7 +18,7 @@ struct VerifiedRun {
     std::size_t bytes = 0;
 };
 
-/// Runs with the seeds after the pilot's. Throws Interrupted.
+/// Runs with the seeds after the pilot's; fewer where the user ends it.
 [[nodiscard]] std::vector<VerifiedRun> verify(const Candidate& candidate, std::uint64_t hits,
                                               std::uint64_t pilot_seed, std::size_t seeds,
                                               ReferenceScene& scene);

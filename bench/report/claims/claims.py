@@ -1,30 +1,30 @@
 """The paper's claims, held against a comparison's rows.
 
 Each claim gives a verdict (confirmed, refuted, conditional: true only under the stated condition, not decided: lost in the
-noise, not measured yet) and what was measured. Times are compared by medians; a difference counts only where the ranges over the repetitions do
-not touch.
+noise or measured in too few scenes or runs, not measured yet) and what was measured. Times are compared by medians; a difference
+counts only where the ranges over the repetitions do not touch (judging.py).
 """
 
 from report.claims.billion_hits import billion_hits
-from report.claims.finding import Finding, not_measured
+from report.claims.finding import NOT_DECIDED, NOT_MEASURED, NOT_MEASURED_YET, Finding, not_measured
+from report.claims.judging import Outcome, has_enough_runs, judged, range_text, runs_of, sizes_in_all, verdict_by_hits
 from report.claims.study_claims import CONVERGES, NORMAL_MAPS, accuracy_crossings, converges, normal_maps
 from report.compare.baselines import (
     BYTES,
+    FIRST_MAP_SECONDS,
     GATHER_US,
     INSERT_AND_BUILD_NS,
     INSERT_NS,
     MAP_SECONDS,
-    answers_as_the_reference,
     engine_of,
     incremental,
-    outcome,
+    is_as_accurate,
+    sign_of,
     strongest,
 )
 from report.compare.memory_wall import light_map_peaks, peak_bound
 from report.study.methods import REFERENCE_LIGHT_MAP
 from report.text import bytes_text, count_text
-
-NOT_MEASURED = "not measured"
 
 
 def rows_of(comparison, method):
@@ -60,10 +60,12 @@ def sure_growth(rows, figure):
 
 def verdict_by_spread(spreads, sure, bound):
     """The bound is what still counts as constant; between the two spreads lies what noise may have done."""
+    if not spreads:
+        return NOT_DECIDED
     grows = [spread >= bound for spread in sure.values()]
     if any(grows):
         return "refuted" if all(grows) else "conditional"
-    return "confirmed" if max(spreads.values()) < bound else "not decided"
+    return "confirmed" if max(spreads.values()) < bound else NOT_DECIDED
 
 
 def constancy_against(own, baseline_growth, bound):
@@ -83,25 +85,10 @@ def hits_range(rows):
     return f"{count_text(min(r['hits_asked'] for r in rows))} to {count_text(max(r['hits_asked'] for r in rows))} hits"
 
 
-def verdict_by_hits(outcomes):
-    """Confirmed or refuted where all outcomes agree; else conditional, with the hits from which on the light map wins."""
-    if not outcomes:
-        return NOT_MEASURED, ""
-    if all(o < 0 for _, o in outcomes):
-        return "confirmed", ""
-    if all(o >= 0 for _, o in outcomes):
-        return "refuted", ""
-    losing = [hits for hits, o in outcomes if o >= 0]
-    winning = [hits for hits, o in outcomes if o < 0 and hits > max(losing)]
-    if winning:
-        return "conditional", f"true in every scene from {count_text(min(winning))} hits on, not at {count_text(max(losing))} and below"
-    return "conditional", "true in some scenes only"
-
-
 def combined(first, second):
     """One verdict of the two; where only one is there, that one."""
     measured = {v for v in (first, second) if v != NOT_MEASURED}
-    return measured.pop() if len(measured) == 1 else "conditional" if measured else "not measured yet"
+    return measured.pop() if len(measured) == 1 else "conditional" if measured else NOT_MEASURED_YET
 
 
 def ratios_text(pairs, figure, form, place):
@@ -115,44 +102,126 @@ def ratios_text(pairs, figure, form, place):
     return of + "; ".join(f"{scene} " + ", ".join(t) for scene, t in texts.items()) if pairs else NOT_MEASURED
 
 
+# --- faster, beside one photon map or another
+
+
+def with_condition(text, condition):
+    return f"{text} ({condition})" if condition else text
+
+
+def outcomes_of(pairs, figure):
+    return [
+        Outcome(scene, mine["hits_asked"], min(mine["repetitions"], theirs["repetitions"]), sign_of(mine, theirs, figure))
+        for scene, mine, theirs in pairs
+    ]
+
+
+def largest_judged(pairs, figure, scenes, form):
+    """The ratio over all scenes at the largest size that is judged, in words, and the rows it is from."""
+    signs, _ = judged(outcomes_of(pairs, figure), scenes)
+    if not signs:
+        return "", []
+    hits = max(signs)
+    at_size = [(mine, theirs) for _, mine, theirs in pairs if mine["hits_asked"] == hits]
+    ratios = [figure.value(theirs) / figure.value(mine) for mine, theirs in at_size]
+    return f"{range_text(ratios, form)} x at {count_text(hits)} hits", [row for pair in at_size for row in pair]
+
+
+def beside(comparison, baseline, figure, is_counted=lambda row: True):
+    """(the pairs that count, verdict, condition) of the light map's figure being less than the baseline's."""
+    pairs = [pair for pair in baseline.pairs(comparison) if is_counted(pair[1])]
+    return pairs, *verdict_by_hits(outcomes_of(pairs, figure), comparison.scenes)
+
+
+def both_clocks(pairs):
+    """What the scene's preparation changes, where it was measured: the ratios with it."""
+    timed = [pair for pair in pairs if all("prepare_seconds" in row for row in pair[1:])]
+    return f" With the preparation of the scene: {ratios_text(timed, FIRST_MAP_SECONDS, '{:.2f}', lambda row: count_text(row['hits_asked']))}." if timed else ""
+
+
+def first_map_verdict(comparison, baseline):
+    """Of the first map of a scene; nothing where preparation was not measured."""
+    pairs = [pair for pair in baseline.pairs(comparison) if all("prepare_seconds" in row for row in pair[1:])]
+    if not pairs:
+        return ""
+    verdict, condition = verdict_by_hits(outcomes_of(pairs, FIRST_MAP_SECONDS), comparison.scenes)
+    return with_condition(f"for the first map of a scene, its preparation included: {verdict}", condition)
+
+
 def tracing_speed(comparison):
     says = "SHLM tracing is faster, since there is no kd-tree insertion"
-    verdicts, clauses = [], []
+    verdicts, clauses, conditions = [], [], []
     for baseline in (incremental(comparison), strongest(comparison, MAP_SECONDS)):
-        pairs = baseline.pairs(comparison)
-        verdict, condition = verdict_by_hits([(mine["hits_asked"], outcome(mine, theirs, MAP_SECONDS)) for _, mine, theirs in pairs])
+        pairs, verdict, condition = beside(comparison, baseline, MAP_SECONDS)
         verdicts.append(verdict)
-        clauses.append(f"Against {baseline.name}: {verdict}" + (f" ({condition})" if condition else "")
-                       + f": {ratios_text(pairs, MAP_SECONDS, '{:.2f}', lambda row: count_text(row['hits_asked']))}.")
+        conditions.append(with_condition(f"{baseline.name}: {verdict}", condition))
+        clauses.append(with_condition(f"Against {baseline.name}: {verdict}", condition)
+                       + f": {ratios_text(pairs, MAP_SECONDS, '{:.2f}', lambda row: count_text(row['hits_asked']))}.{both_clocks(pairs)}")
     overall = combined(*verdicts)
-    if overall == "not measured yet":
+    if overall == NOT_MEASURED_YET:
         return Finding("tracing-speed", says, overall, "needs shlm and a photon map")
+    engine = strongest(comparison, MAP_SECONDS)
+    figure, rows = largest_judged(engine.pairs(comparison), MAP_SECONDS, comparison.scenes, "{:.2f}")
+    if first := first_map_verdict(comparison, engine):
+        conditions.append(first)
     return Finding("tracing-speed", says, overall,
-                   "Time to a finished map (an empty store, trace, insert, build), photon map over SHLM. " + " ".join(clauses), *verdicts)
+                   "Time to a finished map (an empty store, trace, insert, build), photon map over SHLM. " + " ".join(clauses), *verdicts,
+                   condition="; ".join(conditions), figure=figure, scenes=tuple(comparison.scenes), runs=runs_of(rows))
+
+
+def faster_gather(comparison, study):
+    says = "The search is faster where more than one photon falls on a texel"
+    verdicts, clauses, conditions, faster_below = [], [], [], []
+    engine = strongest(comparison, GATHER_US, is_as_accurate(comparison, study))
+    for baseline in (incremental(comparison), engine):
+        above, verdict, condition = beside(comparison, baseline, GATHER_US, lambda row: row["hits_per_texel"] > 1)
+        pairs = baseline.pairs(comparison)
+        faster_below += [o.sign < 0 for o in outcomes_of([p for p in pairs if p[1]["hits_per_texel"] <= 1], GATHER_US)]
+        verdicts.append(verdict)
+        conditions.append(with_condition(f"{baseline.name}: {verdict}", condition))
+        clauses.append(with_condition(f"Against {baseline.name}: {verdict}", condition) + ": "
+                       + ratios_text(pairs, GATHER_US, "{:.1f}", lambda row: f"{row['hits_per_texel']:.2g}") + ".")
+    overall = combined(*verdicts)
+    if overall == NOT_MEASURED_YET:
+        return Finding("faster-gather", says, overall, "needs more than one hit per texel")
+    note = " It is faster below one hit per texel as well, so that this is not what decides." if faster_below and all(faster_below) else ""
+    above = [pair for pair in engine.pairs(comparison) if pair[1]["hits_per_texel"] > 1]
+    figure, rows = largest_judged(above, GATHER_US, comparison.scenes, "{:.1f}")
+    return Finding("faster-gather", says, overall,
+                   f"Photon map's time per query over SHLM's, at hits per texel. {' '.join(clauses)}{note} "
+                   + (accuracy_crossings(study) if study and comparison.light_map == REFERENCE_LIGHT_MAP else
+                      "The errors are not equal, so this is a statement about time alone."), *verdicts,
+                   condition="; ".join(conditions), figure=figure, scenes=tuple(comparison.scenes), runs=runs_of(rows))
+
+
+# --- constant, however many hits
 
 
 def constant_insert(comparison):
     says, bound = "Accumulating a photon into SH coefficients takes constant time", 1.25
     texels = max((row["texels"] for row in rows_of(comparison, comparison.light_map)), default=0)
+
     def filled(row):
         return row["hits"] >= texels
 
-    rows = light_map_rows(comparison, filled)
+    all_rows = light_map_rows(comparison, filled)
+    if not spread_over_hits(all_rows, INSERT_NS):
+        return Finding("constant-insert", says, NOT_MEASURED_YET, "needs shlm at two numbers of hits of one per texel and more")
+    rows, lacking = sizes_in_all(all_rows)
     spreads, sure = spread_over_hits(rows, INSERT_NS), sure_spread(rows, INSERT_NS)
-    if not spreads:
-        return Finding("constant-insert", says, "not measured yet", "needs shlm at two numbers of hits of one per texel and more")
     own = verdict_by_spread(spreads, sure, bound)
     verdicts, clauses = [], []
     for baseline in (incremental(comparison), strongest(comparison, INSERT_AND_BUILD_NS)):
-        theirs = baseline_rows(comparison, baseline, filled)
+        theirs, _ = sizes_in_all(baseline_rows(comparison, baseline, filled))
         verdicts.append(constancy_against(own, sure_growth(theirs, INSERT_AND_BUILD_NS), bound))
         clauses.append(f"{baseline.name} {listing(spread_over_hits(theirs, INSERT_AND_BUILD_NS))}")
-    short = {f"{row['scene']} {count_text(row['hits_asked'])}": row["insert_ns_per_hit"]
-             for row in rows_of(comparison, comparison.light_map) if not filled(row)}
-    warm_up = f" Shorter runs pay for the first touch of texels and buffers; ns per hit: {listing(short, '{:.0f}')}." if short else ""
+    each = {f"{row['scene']} {count_text(row['hits_asked'])}": INSERT_NS.value(row) for row in rows_of(comparison, comparison.light_map)}
     return Finding("constant-insert", says, own,
                    f"Slowest over fastest median from one hit per texel on: {listing(spreads)}; beyond the noise (bound {bound}): {listing(sure)}. "
-                   f"Photon maps, a hit's share of the build included: {'; '.join(clauses)}.{warm_up}", *verdicts)
+                   f"Photon maps, a hit's share of the build included: {'; '.join(clauses)}. "
+                   f"ns a hit and thread, the difference between walls with and without the store: {listing(each, '{:.0f}')}.", *verdicts,
+                   condition=lacking, figure=f"spread {range_text(spreads.values())}" if spreads else "",
+                   scenes=tuple(spreads or all_rows), runs=runs_of([row for series in (rows if spreads else all_rows).values() for row in series]))
 
 
 def crossings(comparison, baseline):
@@ -161,7 +230,7 @@ def crossings(comparison, baseline):
     for scene in comparison.scenes:
         light, photons = comparison.series(scene, comparison.light_map), baseline.series(comparison, scene)
         if light and photons:
-            found[scene] = count_text(light[-1]["bytes"] / (photons[-1]["bytes"] / photons[-1]["hits"]))
+            found[scene] = light[-1]["bytes"] / (photons[-1]["bytes"] / photons[-1]["hits"])
     return found
 
 
@@ -178,22 +247,26 @@ def peak_text(comparison):
 
 
 def constant_memory(comparison):
+    """A map's bytes are the same in every run: sizes of one run count as well."""
     says = "Memory stays constant however many photons are traced"
     rows = rows_of(comparison, comparison.light_map)
     spreads = spread_over_hits(light_map_rows(comparison), BYTES)
     if not spreads:
-        return Finding("constant-memory", says, "not measured yet", "needs shlm at two numbers of hits")
+        return Finding("constant-memory", says, NOT_MEASURED_YET, "needs shlm at two numbers of hits")
     bound = 1.01  # FLANN's part is measured at the allocator, whose bookkeeping varies
     own = "confirmed" if max(spreads.values()) < bound else "refuted"
     sizes = {scene: series[0]["bytes"] / 2**20 for scene in comparison.scenes if (series := comparison.series(scene, comparison.light_map))}
-    verdicts, clauses = [], []
+    working = {scene: series[-1].get("insert_bytes", 0) / 2**20 for scene in sizes if (series := comparison.series(scene, comparison.light_map))}
+    verdicts, clauses, conditions = [], [], []
     for baseline in (incremental(comparison), strongest(comparison, BYTES)):
         verdicts.append(constancy_against(own, sure_growth(baseline_rows(comparison, baseline), BYTES), bound))
         if smaller := crossings(comparison, baseline):
-            clauses.append(f" {baseline.name} is the smaller one below " + ", ".join(f"{h} hits ({s})" for s, h in smaller.items()) + ".")
+            clauses.append(f" {baseline.name} is the smaller one below " + ", ".join(f"{count_text(h)} hits ({s})" for s, h in smaller.items()) + ".")
+            conditions.append(f"{baseline.name} is the smaller map below {range_text([h / 1e6 for h in smaller.values()])} M hits")
     return Finding("constant-memory", says, own,
-                   f"Bytes of the map, {hits_range(rows)}: largest over smallest {listing(spreads, '{:.4f}')}; MiB: {listing(sizes, '{:.1f}')}."
-                   + "".join(clauses) + peak_text(comparison), *verdicts)
+                   f"Bytes of the map, {hits_range(rows)}: largest over smallest {listing(spreads, '{:.4f}')}; MiB: {listing(sizes, '{:.1f}')}, "
+                   f"while they are filled {listing(working, '{:.1f}')}." + "".join(clauses) + peak_text(comparison), *verdicts,
+                   condition="; ".join(conditions), figure=f"{range_text(sizes.values(), '{:.1f}')} MiB, {hits_range(rows)}", scenes=tuple(spreads), runs=runs_of(rows))
 
 
 FEW, MANY, SAME_TIME = 10**5, 10**9, 1.05
@@ -210,60 +283,53 @@ def same_at_a_billion(comparison):
             sure[scene] = max(1.0, many_low / few_high, few_low / many_high)
     if not spreads:
         return NOT_MEASURED, f"1e9 hits against 1e5: {NOT_MEASURED}"
+    if not all(has_enough_runs(comparison.row(scene, comparison.light_map, MANY)) for scene in spreads):
+        return NOT_DECIDED, f"1e9 hits against 1e5: too few runs, {listing(spreads, '{:.3f}')}"
     either_way = {scene: max(ratio, 1 / ratio) for scene, ratio in spreads.items()}
     verdict = verdict_by_spread(either_way, sure, SAME_TIME)
     return verdict, f"1e9 hits against 1e5 (within 5 %): {verdict}, {listing(spreads, '{:.3f}')}"
 
 
-def constant_gather(comparison):
+def constant_gather(comparison, study=None):
     says, bound = "Search time does not depend on the photon count", 1.15
-    rows = light_map_rows(comparison)
+    all_rows = light_map_rows(comparison)
+    if not spread_over_hits(all_rows, GATHER_US):
+        return Finding("constant-gather", says, NOT_MEASURED_YET, "needs shlm at two numbers of hits")
+    rows, lacking = sizes_in_all(all_rows)
     spreads, sure = spread_over_hits(rows, GATHER_US), sure_spread(rows, GATHER_US)
-    if not spreads:
-        return Finding("constant-gather", says, "not measured yet", "needs shlm at two numbers of hits")
     billion, billion_text = same_at_a_billion(comparison)
     own = verdict_by_spread(spreads, sure, bound)
-    own = own if billion in (NOT_MEASURED, own) else min(own, billion, key=("refuted", "conditional", "not decided", "confirmed").index)
+    own = own if billion in (NOT_MEASURED, own) else min(own, billion, key=("refuted", "conditional", NOT_DECIDED, "confirmed").index)
     verdicts, clauses = [], []
-    for baseline in (incremental(comparison), strongest(comparison, GATHER_US, answers_as_the_reference)):
-        theirs = baseline_rows(comparison, baseline)
+    for baseline in (incremental(comparison), strongest(comparison, GATHER_US, is_as_accurate(comparison, study))):
+        theirs, _ = sizes_in_all(baseline_rows(comparison, baseline))
         verdicts.append(constancy_against(own, sure_growth(theirs, GATHER_US), bound))
         clauses.append(f"{baseline.name} {listing(spread_over_hits(theirs, GATHER_US))}")
     return Finding("constant-gather", says, own,
                    f"Slowest over fastest median over {hits_range(rows_of(comparison, comparison.light_map))}: {listing(spreads)}; "
-                   f"beyond the noise (bound {bound}): {listing(sure)}; {billion_text}. Photon maps: {'; '.join(clauses)}.", *verdicts)
+                   f"beyond the noise (bound {bound}): {listing(sure)}; {billion_text}. Photon maps: {'; '.join(clauses)}.", *verdicts,
+                   condition=lacking, figure=f"spread {range_text(spreads.values())}" if spreads else "",
+                   scenes=tuple(spreads or all_rows), runs=runs_of([row for series in (rows if spreads else all_rows).values() for row in series]))
 
 
-def faster_gather(comparison, study):
-    says = "The search is faster where more than one photon falls on a texel"
-    verdicts, clauses, faster_below = [], [], []
-    for baseline in (incremental(comparison), strongest(comparison, GATHER_US, answers_as_the_reference)):
-        pairs = baseline.pairs(comparison)
-        above = [(mine["hits_asked"], outcome(mine, theirs, GATHER_US)) for _, mine, theirs in pairs if mine["hits_per_texel"] > 1]
-        faster_below += [outcome(mine, theirs, GATHER_US) < 0 for _, mine, theirs in pairs if mine["hits_per_texel"] <= 1]
-        verdict, _ = verdict_by_hits(above)
-        verdicts.append(verdict)
-        clauses.append(f"Against {baseline.name}: {verdict}: "
-                       + ratios_text(pairs, GATHER_US, "{:.1f}", lambda row: f"{row['hits_per_texel']:.2g}") + ".")
-    overall = combined(*verdicts)
-    if overall == "not measured yet":
-        return Finding("faster-gather", says, overall, "needs more than one hit per texel")
-    note = " It is faster below one hit per texel as well, so that this is not what decides." if faster_below and all(faster_below) else ""
-    return Finding("faster-gather", says, overall,
-                   f"Photon map's time per query over SHLM's, at hits per texel. {' '.join(clauses)}{note} "
-                   + (accuracy_crossings(study) if study and comparison.light_map == REFERENCE_LIGHT_MAP else
-                      "The errors are not equal, so this is a statement about time alone."), *verdicts)
-
-
-def findings(comparison, study):
-    """Of the comparison's light map. `study`: the summary.json of a study, None without one."""
+def measured_here(comparison, study=None):
+    """The claims that a comparison alone can measure."""
     return [
         tracing_speed(comparison),
         constant_insert(comparison),
         constant_memory(comparison),
-        constant_gather(comparison),
+        constant_gather(comparison, study),
         faster_gather(comparison, study),
-        normal_maps(study, comparison.light_map) if study else not_measured(*NORMAL_MAPS),
-        converges(study, comparison.light_map) if study else not_measured(*CONVERGES),
         billion_hits(comparison),
     ]
+
+
+def measured_by_study(study, light_map):
+    if not study:
+        return [not_measured(*NORMAL_MAPS), not_measured(*CONVERGES)]
+    return [normal_maps(study, light_map), converges(study, light_map)]
+
+
+def findings(comparison, study):
+    """Of the comparison's light map. `study`: the summary.json of a study, None without one."""
+    return measured_here(comparison, study) + measured_by_study(study, comparison.light_map)

@@ -2,16 +2,23 @@
 
 from dataclasses import dataclass
 
+NOT_MEASURED, NOT_DECIDED = "not measured", "not decided"
+NOT_MEASURED_YET = "not measured yet"
+
 
 @dataclass
 class Finding:
     claim: str
     says: str
     verdict: str  # confirmed, refuted, conditional, not decided, not measured yet
-    measured: str
+    measured: str  # all of it, in words
     incremental: str = ""  # the verdict against flann-incremental; empty where the claim has no such side
     strongest: str = ""  # and against the strongest engine, see baselines.py
+    condition: str = ""  # where it is true; what is missing where it is not decided
+    figure: str = ""  # one number with its range
+    scenes: tuple = ()  # that it rests on
+    runs: tuple = ()  # fewest and most repetitions or seeds of what it rests on
 
 
 def not_measured(claim, says):
-    return Finding(claim, says, "not measured yet", "")
+    return Finding(claim, says, NOT_MEASURED_YET, "")

@@ -1,17 +1,18 @@
 """Writes FOLDER/report.md from FOLDER/compare.json, and from a study's summary.json if there is one, and prints the
 verdicts: bench/report claims FOLDER [STUDY_FOLDER]"""
 
-import json
 import sys
 from pathlib import Path
 
 from report.claims.claims import findings
+from report.claims.finding import NOT_MEASURED_YET
+from report.claims.verdicts import read_summary
 from report.compare.comparison import LIGHT_MAP, LIGHT_MAP_FLUX, PAPER_LIGHT_MAP, PHOTON_MAP, Comparison
 from report.text import NOTHING, count_text, number_text
 
 CHARTS = {
     "time-to-map": "Time until a map answers: the empty store, trace, insert, build. Dotted: tracing with no store.",
-    "insert": "Time inside the store alone, per hit and thread.",
+    "insert": "What a run with the store takes longer than the same run without one, per hit and thread.",
     "gather": "Time to ask a finished map, at the points the camera sees. Dashed: the same points shuffled.",
     "bytes": "Bytes of the finished map. Dashed: the light map's sums while it is filled.",
     "memory-wall": "What a run adds to the process at its fullest, with the bound of `--max-memory`. Points are measured; dashed lines are straight "
@@ -20,13 +21,14 @@ CHARTS = {
 STRONGEST = (
     "The strongest engine is found by measurement: of the exact photon maps with a row of the same scene and number of hits, the one whose figure "
     "is least, the figure being the claim's own: seconds to a finished map, ns per hit with its share of the build, bytes of the map, time of a gather. "
-    "Gathers are compared among k50/disc, which ask the same question; a grid, which takes all photons within a radius, is left out there."
+    "Among gathers those compete whose error is no greater than that of k50/disc, by the study; without one, only k50/disc."
 )
 
 
 def claims_table(comparison, study):
     lines = ["| claim | the paper says | verdict | against flann-incremental | against the strongest engine | measured |", "|---|---|---|---|---|---|"]
-    lines += [f"| {f.claim} | {f.says} | **{f.verdict}** | {f.incremental} | {f.strongest} | {f.measured} |" for f in findings(comparison, study)]
+    measured = [f for f in findings(comparison, study) if f.verdict != NOT_MEASURED_YET]
+    lines += [f"| {f.claim} | {f.says} | **{f.verdict}** | {f.incremental} | {f.strongest} | {f.measured} |" for f in measured]
     return lines
 
 
@@ -120,17 +122,12 @@ def report(comparison, study):
             *weights,
             "",
         ]
-    lines += ["## Table", "", "Medians; trace s is tracing without a store, by wall clock. Insert ns is time inside the store per hit and thread.", ""]
+    lines += ["## Table", "", "Medians; trace s is tracing without a store, by wall clock. Insert ns is what the run takes longer than without a store, per hit and thread.", ""]
     for scene in comparison.scenes:
         lines += [f"### {scene}", "", *scene_table(comparison, scene), ""]
     lines += ["## Images", "", "One gather per pixel, normal maps applied, the same exposure for all methods of a scene. Engines of a photon map find the same photons: one picture for all.", "", *images(comparison)]
     lines += ["## How this was made", "", *context_lines(comparison, study), ""]
     return "\n".join(lines)
-
-
-def read_summary(folder):
-    file = Path(folder) / "summary.json"
-    return json.loads(file.read_text(encoding="utf-8")) if file.exists() else None
 
 
 def main(arguments):

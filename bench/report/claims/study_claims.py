@@ -2,7 +2,8 @@
 
 import math
 
-from report.claims.finding import Finding, not_measured
+from report.claims.finding import NOT_DECIDED, Finding, not_measured
+from report.claims.judging import RUNS_OF_LARGE, range_text
 from report.study.methods import REFERENCE_LIGHT_MAP, REFERENCE_PHOTON_MAP, TRADITIONAL_LIGHT_MAP
 
 NORMAL_MAPS = ("normal-maps", "The map lights normal-mapped surfaces")
@@ -70,6 +71,10 @@ def converges(summary, light_map=REFERENCE_LIGHT_MAP):
     last = [largest(s["methods"][light_map]) for s in scenes.values()]
     has_floor = any(p["bias_sq_band"] and p["bias_sq_band"][0] > 0 for p in last)
     verdict = "refuted" if not noise_falls else "conditional" if has_floor else "confirmed"
+    runs = seeds_of(summary, scenes, light_map)
+    if runs and runs[0] < RUNS_OF_LARGE:
+        verdict = NOT_DECIDED
+    errors = [100 * math.sqrt(p["error"]) for p in last]
     floor = f"The noise falls as 1 / hits (its slope within {SLOPE_TOLERANCE:g} of -1) over all sizes measured; what stays is the texels' blur and the truncated series, which more hits do not lower. "
     return Finding(
         *CONVERGES,
@@ -77,6 +82,10 @@ def converges(summary, light_map=REFERENCE_LIGHT_MAP):
         (floor if verdict == "conditional" else "")
         + "; ".join(floor_words(name, scene, light_map, texels) for name, scene in scenes.items())
         + f" ({light_map}, {texels} texels; slopes of {own_hits(light_map)} where it was measured).",
+        condition="the noise vanishes, the blur of the texels and the truncation of the series stay" if verdict == "conditional" else "",
+        figure=f"error {range_text(errors, '{:.2g}')} % at {count(max(p['hits'] for p in last))} hits",
+        scenes=tuple(scenes),
+        runs=runs,
     )
 
 
@@ -99,22 +108,63 @@ def bias_words(points):
     return percent(value) if value > high / 4 else f"at most {percent(high)}"
 
 
+def bent_normals(scene, light_map):
+    """(the light map's squared bias where normals are bent, its upper end, points, the traditional light map's); None where
+    there are no such points."""
+    methods = scene["methods"]
+    if any(m not in methods or not tilted_bias(methods[m]) for m in (light_map, TRADITIONAL_LIGHT_MAP)):
+        return None
+    (mine, most, points), (flat, _, _) = (tilted_bias(methods[m]) for m in (light_map, TRADITIONAL_LIGHT_MAP))
+    return mine, most, points, flat
+
+
+def verdict_on_normals(mine, most, flat):
+    return "confirmed" if most < flat / CLEARLY_BETTER else "refuted" if mine >= flat else "conditional"
+
+
+def bent_normals_words(name, scene, light_map, points, flat):
+    methods = scene["methods"]
+    measured = [(m, methods[m]) for m in (light_map, *ORDERS, REFERENCE_PHOTON_MAP) if m in methods and tilted_bias(methods[m])]
+    return (
+        f"{name}, {points} points, {count(largest(methods[light_map])['hits'])} hits: "
+        + ", ".join(f"{m} {bias_words(of_method)}" for m, of_method in measured)
+        + f"; a traditional light map, which knows one normal, {percent(flat)}"
+    )
+
+
 def normal_maps(summary, light_map=REFERENCE_LIGHT_MAP):
-    for name, scene in summary["scenes"].items():
-        methods = scene["methods"]
-        if any(m not in methods or not tilted_bias(methods[m]) for m in (light_map, TRADITIONAL_LIGHT_MAP)):
-            continue
-        (mine, most, points), (flat, _, _) = (tilted_bias(methods[m]) for m in (light_map, TRADITIONAL_LIGHT_MAP))
-        measured = [(m, methods[m]) for m in (light_map, *ORDERS, REFERENCE_PHOTON_MAP) if m in methods and tilted_bias(methods[m])]
-        return Finding(
-            *NORMAL_MAPS,
-            "confirmed" if most < flat / CLEARLY_BETTER else "refuted" if mine >= flat else "conditional",
-            f"{name}, {points} points whose normal is bent by {TILTED:.0f} degrees and more, "
-            f"{count(largest(methods[light_map])['hits'])} hits: relative RMS bias "
-            + ", ".join(f"{m} {bias_words(points)}" for m, points in measured)
-            + f"; a traditional light map, which knows one normal, {percent(flat)} (confirmed: the light map's band is below half of that).",
-        )
-    return not_measured(*NORMAL_MAPS)
+    scenes = {name: found for name, scene in summary["scenes"].items() if (found := bent_normals(scene, light_map))}
+    if not scenes:
+        return not_measured(*NORMAL_MAPS)
+    verdicts = {name: verdict_on_normals(mine, most, flat) for name, (mine, most, _, flat) in scenes.items()}
+    runs = seeds_of(summary, scenes, light_map)
+    words = [bent_normals_words(name, summary["scenes"][name], light_map, points, flat) for name, (_, _, points, flat) in scenes.items()]
+    biases = [100 * math.sqrt(max(0.0, mine)) for mine, _, _, _ in scenes.values()]
+    flats = [100 * math.sqrt(flat) for *_, flat in scenes.values()]
+    return Finding(
+        *NORMAL_MAPS,
+        decided(verdicts, runs),
+        f"Relative RMS bias where the normal is bent by {TILTED:.0f} degrees and more (confirmed: the light map's band is below half of what a "
+        f"traditional one has): {'. '.join(words)}.",
+        condition="" if len(set(verdicts.values())) == 1 else "; ".join(f"{name} {verdict}" for name, verdict in verdicts.items()),
+        figure=f"bias {range_text(biases, '{:.2g}')} % beside {range_text(flats, '{:.2g}')} %",
+        scenes=tuple(scenes),
+        runs=runs,
+    )
+
+
+def seeds_of(summary, scenes, light_map):
+    """Fewest and most seeds of the largest runs; empty where a summary does not say."""
+    seeds = [largest(summary["scenes"][name]["methods"][light_map]).get("seeds") for name in scenes]
+    return () if None in seeds else (min(seeds), max(seeds))
+
+
+def decided(verdicts, runs):
+    """One verdict for all scenes, of enough runs."""
+    if runs and runs[0] < RUNS_OF_LARGE:
+        return NOT_DECIDED
+    kinds = set(verdicts.values())
+    return kinds.pop() if len(kinds) == 1 else "conditional"
 
 
 # --- smaller, and more accurate

@@ -7,15 +7,17 @@ from pathlib import Path
 REPORTS = {  # module, arguments, what it makes
     "compare": ("report.compare.charts", "FOLDER", "charts of FOLDER/compare.json"),
     "claims": ("report.claims.report", "FOLDER [STUDY]", "report.md: the paper's claims held against FOLDER/compare.json and STUDY/summary.json"),
+    "verdicts": ("report.claims.verdicts", "OUT.md FOLDER...", "one table of verdicts from comparisons and studies"),
     "study": ("report.study.report", "FOLDER", "report.md, charts, pictures and summary.json of FOLDER/study.json"),
     "explanation": ("report.fit.explanation_chart", "FOLDER", "explanation.png of a fit's FOLDER/explanation.json"),
     "fit-search": ("report.fit.search", "STUDY FIT.json...", "fits beside the best that a search found"),
-    "fit-truth": ("report.fit.truth", "STUDY SCENE FINE COARSE", "what fit takes for the truth, beside the reference"),
+    "fit-promise": ("report.fit.promise", "SHLMBENCH SHLMBENCH_SCENES OUT...", "whether fit keeps its word on random rooms; --help says the rest"),
     "fit-verdict": ("report.fit.verdict", "FIT.json...", "whether each fit meets its target when it is verified"),
     "model-bytes": ("report.fit.model_bytes", "STUDY OUT", "the smallest map for each error"),
     "bases": ("report.bases_charts", "FOLDER", "charts of FOLDER/bases.json"),
     "stability": ("report.stability_charts", "FOLDER", "charts of FOLDER/stability.json"),
     "billion-figure": ("report.claims.billion_figure", "FOLDER", "figure.png: the atrium at a billion hits"),
+    "figures": ("report.figures", "TEXT.md...", "whether the figures of texts are those of their data"),
     "elsewhere": ("report.elsewhere.report", "PROGRAM...", "the methods on scenes that others made; --help says the rest"),
 }
 

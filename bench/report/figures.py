@@ -1,0 +1,151 @@
+"""Checks the figures of texts against the data they are from: bench/report figures FILE.md...
+
+A figure is followed by a marker that names its file and key, which no reader sees:
+
+    0.87 s<!-- =side-by-side/compare.json rows/[scene=cornell,method=shlm,hits_asked=1e6]/build_seconds -->
+
+FILE is relative to the text's folder, or to results/ beside it. A key is a path through the JSON: names, numbers of list elements, and [NAME=VALUE,...], which
+chooses the one element that has these. A third word says how the number is to be read: % (times 100), ms, us, ns, M (millions),
+KiB, MiB, GiB, root% (100 times the root of a mean square), /PATH (divided by the number at that path of the same file). The printed number must be the data's, rounded to as many digits as it has.
+
+A part of a text between <!-- copy of FILE --> and <!-- end of copy --> must be in FILE word for word.
+
+Exit code: 0; 1 where a figure is stale; 2 for bad input.
+"""
+
+import json
+import math
+import re
+import sys
+from functools import lru_cache
+from pathlib import Path
+
+NUMBER = r"(\d[\d,]*(?:\.\d+)?(?:e[+-]?\d+)?)"
+MARKER = re.compile(NUMBER + r"([^<>]{0,24})<!-- =(\S+) (.+?) -->")
+COPY = re.compile(r"<!-- copy of (\S+) -->\n(.*?)<!-- end of copy -->", re.DOTALL)
+UNITS = {"": 1.0, "%": 100.0, "ms": 1e3, "us": 1e6, "ns": 1e9, "M": 1e-6, "KiB": 2.0**-10, "MiB": 2.0**-20, "GiB": 2.0**-30}
+
+
+class StaleFigure(Exception):
+    """One line."""
+
+
+@lru_cache(maxsize=None)
+def data_of(file):
+    return json.loads(file.read_text(encoding="utf-8"))
+
+
+def same(value, text):
+    """Whether the text is the value, as a word or as a number."""
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        try:
+            return float(value) == float(text)
+        except ValueError:
+            return False
+    return str(value) == text
+
+
+def chosen(elements, condition):
+    wanted = dict(part.split("=", 1) for part in condition.split(","))
+    found = [e for e in elements if all(name in e and same(e[name], value) for name, value in wanted.items())]
+    if len(found) != 1:
+        raise StaleFigure(f"[{condition}] is {len(found)} elements")
+    return found[0]
+
+
+def steps_of(path):
+    """rows/[method=a/b]/x -> rows, [method=a/b], x: brackets may hold slashes."""
+    return re.findall(r"\[[^\]]*\]|[^/\[\]]+", path)
+
+
+def value_at(data, path):
+    for step in steps_of(path):
+        if step.startswith("["):
+            data = chosen(data, step[1:-1])
+        elif isinstance(data, list):
+            data = data[int(step)]
+        elif step in data:
+            data = data[step]
+        else:
+            raise StaleFigure(f"there is no {step} in {path}")
+    return data
+
+
+def value_of(data, words):
+    """Of PATH, or PATH UNIT."""
+    path, *unit = words.split(" ")
+    value = value_at(data, path)
+    if not isinstance(value, (int, float)):
+        raise StaleFigure(f"{path} is no number")
+    unit = unit[0] if unit else ""
+    if unit == "root%":
+        return 100 * math.sqrt(value)
+    if unit.startswith("/"):
+        return value / value_at(data, unit[1:])
+    if unit not in UNITS:
+        raise StaleFigure(f"{unit} is no unit")
+    return value * UNITS[unit]
+
+
+def half_of_last_digit(text):
+    """9.5 -> 0.05, 1.2e3 -> 50; of whole numbers the trailing zeros may be rounding: 27,300 -> 50"""
+    mantissa, _, exponent = text.partition("e")
+    if "." in mantissa:
+        digits = -len(mantissa.split(".")[1])
+    else:
+        digits = len(mantissa) - len(mantissa.rstrip("0")) if mantissa.strip("0") else 0
+    return 0.5 * 10.0 ** (digits + int(exponent or 0))
+
+
+def check(text_number, value):
+    number = text_number.replace(",", "")
+    if abs(float(number) - value) > half_of_last_digit(number) * (1 + 1e-9):
+        raise StaleFigure(f"{text_number} is {value:.6g} by its data")
+
+
+def data_file(text_file, name):
+    beside = [text_file.parent / name, text_file.parent / "results" / name]
+    for file in beside:
+        if file.exists():
+            return file
+    raise StaleFigure(f"{name} is not there")
+
+
+def stale_in(text_file):
+    """What is stale, a line each."""
+    text = text_file.read_text(encoding="utf-8")
+    problems = []
+
+    def attempt(place, what):
+        try:
+            what()
+        except (StaleFigure, ValueError, IndexError, KeyError) as error:
+            problems.append(f"{text_file}:{text.count(chr(10), 0, place) + 1}: {error}")
+
+    for found in MARKER.finditer(text):
+        number, _, name, words = found.groups()
+        attempt(found.start(), lambda: check(number, value_of(data_of(data_file(text_file, name)), words)))
+    for found in COPY.finditer(text):
+        name, part = found.groups()
+
+        def is_copied():
+            if part.strip() not in data_file(text_file, name).read_text(encoding="utf-8"):
+                raise StaleFigure(f"this is not what {name} says")
+
+        attempt(found.start(), is_copied)
+    return problems, len(MARKER.findall(text)), len(COPY.findall(text))
+
+
+def main(arguments):
+    stale = False
+    for name in arguments:
+        try:
+            problems, figures, copies = stale_in(Path(name))
+        except OSError as error:
+            print(f"bench/report figures: {error}", file=sys.stderr)
+            return 2
+        for problem in problems:
+            print(problem, file=sys.stderr)
+        stale |= bool(problems)
+        print(f"{name}: {figures} figures and {copies} copies, {len(problems)} stale")
+    return 1 if stale else 0

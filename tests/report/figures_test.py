@@ -1,0 +1,69 @@
+"""Figures in texts and the data they are from: figures_test.py"""
+
+import contextlib
+import io
+import json
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "bench"))
+
+from report import figures
+
+DATA = {"rows": [{"method": "shlm/L2", "hits": 1000000, "seconds": 0.0234, "error": 0.0025}, {"method": "photonmap", "hits": 1000000, "seconds": 0.0468}]}
+
+
+class Figures(unittest.TestCase):
+    def problems(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "data.json").write_text(json.dumps(DATA))
+            Path(folder, "table.md").write_text("| a |\n|---|\n| 1 |\n")
+            file = Path(folder, "text.md")
+            file.write_text(text)
+            figures.data_of.cache_clear()
+            return figures.stale_in(file)[0]
+
+    def test_a_figure_is_its_data_as_far_as_it_is_printed(self):
+        path = "<!-- =data.json rows/[method=shlm/L2,hits=1e6]/seconds"
+        for number, unit in (("0.0234", ""), ("0.023", ""), ("23", " ms"), ("23.4", " ms"), ("0.5", " /rows/[method=photonmap]/seconds")):
+            self.assertEqual(self.problems(f"It takes {number} s{path}{unit} -->."), [], number)
+        for number, unit in (("0.0235", ""), ("0.024", ""), ("24", " ms"), ("0.6", " /rows/[method=photonmap]/seconds")):
+            (problem,) = self.problems(f"It takes\n{number} s{path}{unit} -->.")
+            self.assertIn("text.md:2:", problem)
+
+    def test_squares_are_read_as_errors(self):
+        self.assertEqual(self.problems("5 %<!-- =data.json rows/0/error root% -->"), [])
+        self.assertEqual(len(self.problems("6 %<!-- =data.json rows/0/error root% -->")), 1)
+
+    def test_what_is_not_there_is_stale(self):
+        for marker in ("none.json x", "data.json rows/[method=none]/hits", "data.json rows/[hits=1e6]/seconds", "data.json rows/0/none",
+                       "data.json rows/9/hits", "data.json rows", "data.json rows/0/hits furlongs"):
+            self.assertEqual(len(self.problems(f"1<!-- ={marker} -->")), 1, marker)
+
+    def test_a_copy_is_word_for_word(self):
+        def copy(number):
+            return f"<!-- copy of table.md -->\n| a |\n|---|\n| {number} |\n<!-- end of copy -->\n"
+
+        self.assertEqual(self.problems(copy(1)), [])
+        self.assertEqual(len(self.problems(copy(2))), 1)
+
+    def test_whole_numbers_may_be_rounded(self):
+        self.assertEqual(self.problems("1,000,000<!-- =data.json rows/0/hits -->"), [])
+        self.assertEqual(figures.half_of_last_digit("27300"), 50)
+
+
+class OwnTexts(unittest.TestCase):
+    def test_no_figure_is_stale(self):
+        texts = [str(ROOT / "README.md"), str(ROOT / "results" / "README.md")]
+        errors = io.StringIO()
+        with contextlib.redirect_stderr(errors), contextlib.redirect_stdout(io.StringIO()):
+            self.assertEqual(figures.main(texts), 0, errors.getvalue())
+        self.assertEqual(errors.getvalue(), "")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -57,14 +57,15 @@ class RoomMaker {
         const Rgb albedo = dice_.colour(0.2f, 0.75f);
         switch (dice_.one_of(8)) {
             case 0:
-                return scene_.add_patterned(name, masonry({.columns = 2 + dice_.one_of(3),
-                                                           .courses = 4 + dice_.one_of(5),
-                                                           .running_bond = true,
-                                                           .joint = 0.02f,
-                                                           .relief = 0.015f,
-                                                           .block = albedo,
-                                                           .mortar = 0.7f * albedo,
-                                                           .variation = 0.2f}),
+                return scene_.add_patterned(name,
+                                            masonry({.columns = 2 + dice_.one_of(3),
+                                                     .courses = 4 + dice_.one_of(5),
+                                                     .running_bond = true,
+                                                     .joint = 0.02f,
+                                                     .relief = 0.015f,
+                                                     .block = albedo,
+                                                     .mortar = 0.7f * albedo,
+                                                     .variation = 0.2f}),
                                             texture_pixels);
             case 1:
                 return scene_.add_patterned(name, wood(albedo), texture_pixels);
@@ -89,8 +90,8 @@ class RoomMaker {
         const float z = dice_.between(room_.min.z + 0.8f, room_.max.z - 0.8f);
         const auto panel = ceiling_rectangle(room_, {x - half_x, z - half_z}, {x + half_x, z + half_z});
         const float watts = dice_.between(4, 12) / (half_x * half_z);
-        MeshBuilder floor(dice_.between(0.7f, 2)), sides(dice_.between(0.7f, 2)), back(dice_.between(0.7f, 2)),
-            plain, light;
+        MeshBuilder floor(dice_.between(0.7f, 2)), sides(dice_.between(0.7f, 2)),
+            back(dice_.between(0.7f, 2)), plain, light;
         add_box_side(floor, room_, Side::bottom, Facing::inward);
         for (const Side side : {Side::left, Side::right}) add_box_side(sides, room_, side, Facing::inward);
         add_box_side(back, room_, Side::back, Facing::inward);
@@ -104,9 +105,7 @@ class RoomMaker {
         scene_.place("panel", light, scene_.add_emitter("panel", watts * lamp_colour()));
     }
 
-    [[nodiscard]] Rgb lamp_colour() {
-        return {1, dice_.between(0.7f, 1), dice_.between(0.45f, 1)};
-    }
+    [[nodiscard]] Rgb lamp_colour() { return {1, dice_.between(0.7f, 1), dice_.between(0.45f, 1)}; }
 
     /// A hanging box that shines on all sides, a bare bulb or a spot.
     void add_lamp() {
@@ -140,8 +139,7 @@ class RoomMaker {
         MeshBuilder box(0.8f);
         add_box(box, {{-half.x, 0, -half.z}, {half.x, half.y, half.z}}, {Side::bottom});
         const std::string name = next("box");
-        scene_.place(name, scene_.add_mesh(box.finish()), surface(name),
-                     turned(dice_.between(0, 90), foot));
+        scene_.place(name, scene_.add_mesh(box.finish()), surface(name), turned(dice_.between(0, 90), foot));
     }
 
     /// Boards on the back wall, with deep shadow between them.

@@ -4,7 +4,7 @@ namespace shlm {
 namespace {
 
 template <class Value>
-std::vector<Value> of_covered(std::span<const TexelGeometry> texels, Value TexelGeometry::* member) {
+std::vector<Value> of_covered(std::span<const TexelGeometry> texels, Value TexelGeometry::*member) {
     std::vector<Value> values;
     for (const TexelGeometry& texel : texels)
         if (texel.area > 0) values.push_back(texel.*member);

@@ -10,11 +10,10 @@ namespace bench::fit {
 namespace {
 
 constexpr std::uint64_t growth = 4;
-constexpr int most_growths = 6;                  // from the first pilot to the largest
-constexpr double enough = 1.1;                   // a candidate's hits are known to a tenth
-constexpr double worth_it = 1.2;                 // the choice might cost so much less if there were no doubt
-constexpr std::size_t most_rivals = 24;          // of one kind, in pilots after the first
-constexpr std::uint64_t cheap_hits = 1'000'000;  // a pilot's, both halves: a fraction of a second
+constexpr int most_growths = 6;          // from the first pilot to the largest
+constexpr double enough = 1.1;           // a candidate's hits are known to a tenth
+constexpr double worth_it = 1.2;         // the choice might cost so much less if there were no doubt
+constexpr std::size_t most_rivals = 24;  // of one kind, in pilots after the first
 
 struct State {
     PilotArchive& archive;
@@ -135,14 +134,20 @@ bool is_open(const State& state) {
     return open(state.result.light_map, true) || open(state.result.photon_map, false);
 }
 
-/// Whether the next pilot would be large beside the runs that it is about.
+bool is_sure(const State& state) {
+    return state.result.light_map.doubt.empty() && state.result.photon_map.doubt.empty();
+}
+
+/// Whether the next pilot would be large beside the runs that it is about, and no matter of a second or so.
+/// What is sure and only not the cheapest for certain is worth less.
 bool is_too_dear(const State& state, std::uint64_t next_hits) {
     const auto hits_of = [&](const Decision& decision) {
         return decision.choice.reached ? decision.choice.proposal.hits : state.goal.max_hits;
     };
-    constexpr double worth = 0.25;
+    constexpr double worth = 0.05, cheap = 4e6, cheap_if_sure = 1e6;
+    const double hits = 2 * static_cast<double>(next_hits);
     const double runs = hits_of(state.result.light_map) + hits_of(state.result.photon_map);
-    return 2 * next_hits > cheap_hits && 2 * static_cast<double>(next_hits) > worth * runs;
+    return hits > worth * runs && hits > (is_sure(state) ? cheap_if_sure : cheap);
 }
 
 Decision decided(const State& state, bool light_maps) {

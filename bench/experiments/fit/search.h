@@ -37,7 +37,7 @@ struct FitResult {
 };
 
 /// Begins with few hits and takes four times as many until both choices are sure and knowing more could save
-/// little, or the next pilot would cost more than a fourth of the two chosen runs (what is out of reach
+/// little, or the next pilot would cost more than a twentieth of the two chosen runs (what is out of reach
 /// counts as a run of max_hits); at most to the largest. Paths double until their noise is no part of the
 /// doubt. Candidates that cannot be chosen any more, or of which enough is known, are not traced again. Where
 /// time is the goal and an adaptive map was chosen, smaller pilots of it follow, as long as one is cheaper.

@@ -13,9 +13,9 @@
 namespace bench::fit {
 
 /// Two independent estimates of the irradiance at each point by path tracing, W/m^2. They have no bias: no
-/// radius, texel or basis, so no kind of map is measured by the faults of another. They are noisy, which costs
-/// nothing but certainty, as nothing in one half knows of the other, of any photon or of a reference that was
-/// made with the same seed.
+/// radius, texel or basis, so no kind of map is measured by the faults of another. They are noisy, which
+/// costs nothing but certainty, as nothing in one half knows of the other, of any photon or of a reference
+/// that was made with the same seed.
 class PathTruth {
   public:
     /// All must outlive it.
@@ -25,7 +25,7 @@ class PathTruth {
     /// What no path finds, in words (common::reference::paths_not_found): then it is no truth.
     [[nodiscard]] const std::string& lost_light() const { return lost_light_; }
 
-    /// Samples of each point and half.
+    /// Samples of each half, in the mean over the points.
     [[nodiscard]] static std::uint64_t samples_of(int level);
 
     /// Level 0 has 64 samples, each other one twice as many as the one before. Traces what is not there yet.
@@ -33,7 +33,11 @@ class PathTruth {
     [[nodiscard]] const Halves& at(int level, const StopRule& stop);
 
   private:
-    void add_pass(common::reference::ReferenceSums& sums, std::uint64_t seed, const StopRule& stop);
+    [[nodiscard]] Halves next_level(const StopRule& stop) const;
+    [[nodiscard]] std::vector<common::Rgb> fresh_means(std::span<const std::uint64_t> passes_of_tile,
+                                                       std::uint64_t seed, const StopRule& stop) const;
+    [[nodiscard]] std::vector<common::Rgb> one_pass(std::span<const common::VisibleSurface> seen,
+                                                    std::uint64_t seed, const StopRule& stop) const;
 
     const LoadedScene& loaded_;
     const FitPoints& points_;
@@ -41,7 +45,6 @@ class PathTruth {
     int most_surfaces_;
     std::string lost_light_;
     common::reference::Lights lights_;
-    common::reference::ReferenceSums a_, b_;
     std::vector<Halves> level_;
 };
 

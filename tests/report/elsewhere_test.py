@@ -321,7 +321,7 @@ class Runs(Folder):
         self.assertEqual(code, 0)
         (hall,) = self.document()["scenes"]
         self.assertEqual(hall["reference"]["samples_per_pixel"], 64)
-        self.assertEqual(hall["fit"], {"reason": "no answer within 1 s"})
+        self.assertEqual(hall["fit"], {"reason": "no answer within 3 s"})
 
     def test_options_of_the_list_reach_every_command(self):
         write_scene(self.scenes / "yard.gltf", lit=False, needs="--sky")

@@ -111,14 +111,15 @@ class SceneRun:
 
     def fit(self):
         """fit's own JSON, or {"reason": ...} where it gives none: that is an answer too."""
-        command = [self.program, "fit", self.found.file, "--target", FIT_TARGET, "--max-hits", self.settings.fit_max_hits, "--json"]
-        ended = run([*command, *self.found.options], self.settings.fit_seconds)
-        if not ended.in_time:
-            return {"reason": f"no answer within {self.settings.fit_seconds:g} s"}
+        seconds = self.settings.fit_seconds
+        limits = ["--max-hits", self.settings.fit_max_hits, "--time", f"{seconds:g}s"]
+        command = [self.program, "fit", self.found.file, "--target", FIT_TARGET, *limits, "--json"]
+        # After its time it answers with what it knows, once the first pilot is there.
+        ended = run([*command, *self.found.options], 3 * seconds)
         try:
             answer = json.loads(ended.out)
         except ValueError:
-            return {"reason": ended.last_line}
+            return {"reason": ended.last_line if ended.in_time else f"no answer within {3 * seconds:g} s"}
         return answer[0] if isinstance(answer, list) else answer
 
 

@@ -6,6 +6,8 @@
 #include "common/tracer/null_sink.h"
 #include "common/tracer/trace_photons.h"
 #include "shlm/layout/lightmap_uv.h"
+#include "tests/support/child_process.h"
+#include "tests/support/gltf_text.h"
 
 namespace {
 
@@ -62,5 +64,60 @@ INSTANTIATE_TEST_SUITE_P(Scenes, OwnScene,
                                          Expected{"caustic", 2'000, 1, 0, 0, 0},
                                          Expected{"atrium", 200'000, 1, 8, 1, 1}),
                          [](const auto& scene) { return scene.param.name; });
+
+// Random rooms: as closed as the others, the same for the same seed, and others for another.
+
+class RandomRoom : public testing::Test {
+  protected:
+    [[nodiscard]] child_process::Ended make(const std::string& folder, const std::string& name) const {
+        std::filesystem::create_directories(path(folder));
+        return child_process::Child(SHLMBENCH_BINARY_DIR "/shlmbench_scenes", {path(folder), name},
+                                    directory_.path())
+            .wait();
+    }
+    [[nodiscard]] std::string made(const std::string& folder, const std::string& name) const {
+        EXPECT_EQ(make(folder, name).exit_code, 0);
+        return child_process::text_of(path(folder) + "/" + name + ".glb");
+    }
+    [[nodiscard]] std::string path(const std::string& name) const {
+        return (directory_.path() / name).string();
+    }
+
+  private:
+    gltf_text::TemporaryDirectory directory_;
+};
+
+TEST_F(RandomRoom, IsTheSameForTheSameSeedAndAnotherForAnother) {
+    const std::string first = made("a", "room-17");
+    EXPECT_GT(first.size(), 1000u);
+    EXPECT_EQ(first, made("b", "room-17"));
+    EXPECT_NE(first, made("a", "room-18"));
+}
+
+TEST_F(RandomRoom, IsClosedAndLit) {
+    for (const char* name : {"room-1", "room-2", "room-3"}) {
+        SCOPED_TRACE(name);
+        ASSERT_EQ(make("rooms", name).exit_code, 0);
+        const common::Scene scene = common::load_gltf(path("rooms") + "/" + name + ".glb");
+        EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
+        EXPECT_EQ(scene.camera.size(), 1u);
+        EXPECT_TRUE(shlm::describe_lightmap_trouble(scene, shlm::find_lightmap_uv(scene)).empty());
+        const common::RayScene rays(scene);
+        common::NullSink sink;
+        const auto report =
+            common::trace_photons(rays, common::PhotonSource(scene), 1, {.photons = 50'000}, sink);
+        EXPECT_GT(report.hits, 50'000u);
+        EXPECT_LE(report.fates.escaped, 1u) << "one ray in a million may slip past an edge";
+    }
+}
+
+TEST_F(RandomRoom, RefusesNamesThatAreNoSeed) {
+    for (const char* name : {"room-", "room-x", "room--1", "room-01", "room-4294967296", "rooms-1"}) {
+        const auto ended = make("none", name);
+        EXPECT_EQ(ended.exit_code, 2) << name;
+        EXPECT_NE(ended.err.find(name), std::string::npos) << ended.err;
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(path("none")));
+}
 
 }  // namespace

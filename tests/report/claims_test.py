@@ -111,6 +111,13 @@ class Compared(unittest.TestCase):
         self.assertIn("for the first map of a scene, its preparation included: refuted", found.condition)
         self.assertIn("With the preparation of the scene: flann-incremental: room 0.50 x at 1 k", found.measured)
 
+    def test_where_it_loses_is_said_though_the_rest_is_not_decided(self):
+        rows = [row(m, hits) for m in (LIGHT_MAP,) for hits in (1000, 10_000)]
+        rows += [row(m, hits, build_seconds=t) for m in (INCREMENTAL, PHOTON_MAP) for hits, t in ((1000, 0.1), (10_000, 1))]
+        found = tracing_speed(comparison(rows))
+        self.assertEqual(found.verdict, "not decided")
+        self.assertIn("false in every scene at 1 k", found.condition)
+
     def test_one_run_never_decides(self):
         few = [row(LIGHT_MAP, 1000, repetitions=4), row(INCREMENTAL, 1000, build_seconds=5), row(PHOTON_MAP, 1000, build_seconds=5)]
         found = tracing_speed(comparison(few))

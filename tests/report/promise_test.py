@@ -25,7 +25,7 @@ if words[0] == "reference":
 room = int(Path(words[1]).stem.split("-")[1])
 out = Path(words[words.index("--out") + 1])
 def entry(error):
-    return {"reached": True, "sure": True, "choice": {"method": "shlm", "hits": 1, "error": 0.09, "noise": 0.05, "seconds": 2},
+    return {"reached": True, "sure": True, "choice": {"method": "shlm", "hits": 1, "error": 0.09, "bound": 0.1, "noise": 0.05, "seconds": 2},
             "verified": [{"error": error}] * 10}
 fit = {"scene": f"room-{room}", "target": 0.1, "context": {"machine": "m"}, "reference_error": 0, "pilot": {"seconds": 4},
        "light_map": entry(0.09), "photon_map": entry(ERROR)}
@@ -42,7 +42,7 @@ Path(sys.argv[1], sys.argv[2] + ".glb").write_text("")
 
 def entry(measured, sure=True, estimated=0.09):
     runs = [{"error": error} for error in measured]
-    choice = {"method": "shlm", "hits": 1e5, "error": estimated, "noise": 0.05, "seconds": 0.5}
+    choice = {"method": "shlm", "hits": 1e5, "error": estimated, "bound": 0.1, "noise": 0.05, "seconds": 0.5}
     return {"reached": True, "sure": sure, "choice": choice, "verified": runs} | ({} if sure else {"doubt": "chance"})
 
 
@@ -65,6 +65,11 @@ class Counting(unittest.TestCase):
         found = self.summary(fit_of(entry([0.104]), entry([0.104]), reference_error=0.03))
         self.assertEqual(found["sure"]["runs_that_meet"], 2)
         self.assertAlmostEqual(found["sure"]["measured_over_estimated"]["median"], (0.104**2 - 0.03**2) ** 0.5 / 0.09)
+
+    def test_how_much_of_the_margin_runs_use(self):
+        half = (0.5 * (0.09**2 + 0.1**2)) ** 0.5
+        found = self.summary(fit_of(entry([half] * 10), entry([half] * 10)))
+        self.assertAlmostEqual(found["sure"]["nine_tenths_of_used_margin"], 0.5)
 
     def test_what_is_out_of_reach_is_counted_apart(self):
         nothing = {"reached": False, "sure": True, "reason": "bias"}

@@ -34,7 +34,7 @@ constexpr const char* explanation_words =
     "the "
     "middle pixel sees, scene units.";
 
-Json proposal_as_json(const FitResult& result, const Proposal& proposal, double z) {
+Json proposal_as_json(const FitResult& result, const Proposal& proposal, const FitGoal& goal) {
     const Candidate& candidate = result.candidates[proposal.candidate];
     const ErrorModel& model = proposal.model;
     const double error_sq = model.error_sq(proposal.hits);
@@ -44,7 +44,7 @@ Json proposal_as_json(const FitResult& result, const Proposal& proposal, double 
                 {"noise", std::sqrt(error_sq - model.bias_sq())},
                 {"blur", std::sqrt(model.blur_sq)},
                 {"truncation", std::sqrt(model.truncation_sq)},
-                {"bound", std::sqrt(error_sq + z * model.deviation(proposal.hits))},
+                {"bound", std::sqrt(error_sq + margin_of(goal, model, proposal.hits))},
                 {"seconds", proposal.cost.seconds},
                 {"bytes", proposal.cost.bytes},
                 {"prepare_seconds", proposal.cost.prepare_seconds},
@@ -72,15 +72,15 @@ Json decision_as_json(const FitResult& result, const Decision& decision, const F
     if (!decision.doubt.empty()) entry["doubt"] = decision.doubt;
     if (!choice.reached) entry["reason"] = choice.reason;
     if (choice.reached || choice.proposal.hits > 0)
-        entry[choice.reached ? "choice" : "nearest"] = proposal_as_json(result, choice.proposal, goal.z);
+        entry[choice.reached ? "choice" : "nearest"] = proposal_as_json(result, choice.proposal, goal);
     if (!verified.empty()) entry["verified"] = runs_as_json(verified);
     return entry;
 }
 
-Json rows_of(const FitResult& result, std::span<const Proposal> proposals, double z) {
+Json rows_of(const FitResult& result, std::span<const Proposal> proposals, const FitGoal& goal) {
     Json rows = Json::array();
     for (const Proposal& proposal : proposals.first(std::min(proposals.size(), rows_of_table)))
-        rows.push_back(proposal_as_json(result, proposal, z));
+        rows.push_back(proposal_as_json(result, proposal, goal));
     return rows;
 }
 
@@ -164,7 +164,6 @@ Json fit_as_json(const FitPlan& plan, const FitGoal& goal, const common::Scene& 
     context["threads"] = plan.threads;
     context["settings"] = describe(plan.settings);
     context["lights_and_camera"] = fmt::format("{} {} {}", plan.scene.sky, plan.scene.sun, plan.scene.camera);
-    const double z = goal.z;
     Json document = {{"context", context},
                      {"definition", fit_definition},
                      {"scene", std::filesystem::path(plan.file).stem().string()},
@@ -174,12 +173,13 @@ Json fit_as_json(const FitPlan& plan, const FitGoal& goal, const common::Scene& 
                      {"metric", "relative RMS"},
                      {"least", goal.least()},
                      {"max_hits", goal.max_hits},
+                     {"margin", goal.margin},
                      {"seed", plan.seed},
                      {"pilot", pilot_as_json(plan, result)},
                      {"light_map", decision_as_json(result, result.light_map, goal, verified.light_map)},
                      {"photon_map", decision_as_json(result, result.photon_map, goal, verified.photon_map)},
-                     {"light_maps", rows_of(result, result.light_map.proposals, z)},
-                     {"photon_maps", rows_of(result, result.photon_map.proposals, z)}};
+                     {"light_maps", rows_of(result, result.light_map.proposals, goal)},
+                     {"photon_maps", rows_of(result, result.photon_map.proposals, goal)}};
     if (plan.reference) {
         document["reference"] = plan.reference->string();
         document["reference_error"] = verified.reference_error;

@@ -27,7 +27,7 @@ std::vector<NeededHits> needed_by_error(const Estimates& estimates, const FitGoa
     for (std::size_t i = 0; i < needed.size(); ++i) {
         if (!estimates.model[i]) continue;
         const ErrorModel& model = *estimates.model[i];
-        needed[i] = {.sure = hits_for(model, goal.target, z_of(goal, model)),
+        needed[i] = {.sure = hits_for(model, goal.target, goal.margin * z_of(goal, model)),
                      .likely = hits_for(model, goal.target, 0),
                      .least = least_hits(model, estimates.measured[i], goal),
                      .without_noise = std::sqrt(std::max(0.0, model.upper_bias_sq(goal.z)))};

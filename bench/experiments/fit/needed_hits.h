@@ -13,6 +13,7 @@ namespace bench::fit {
 struct FitGoal {
     double target = 0;  ///< relative RMS error, the root of relMSE
     double z = 0;       ///< a run meets the target with the probability of a normal variable to be below z
+    double margin = 1;  ///< so many times what z asks for: squared errors are no normal variables
     /// The same for what is tried with one number of hits after another and taken as soon as it passes: each
     /// try is another chance to be flattered.
     double z_of_tries = 0;
@@ -24,8 +25,13 @@ struct FitGoal {
     [[nodiscard]] const char* least() const { return least_bytes ? "bytes" : "time"; }
 };
 
-/// Of the margin that a choice by this model has.
+/// Standard errors that an estimate by this model is trusted by.
 [[nodiscard]] double z_of(const FitGoal& goal, const ErrorModel& model);
+
+/// What is added to the squared error of a run with so many hits, so that it is bounded.
+[[nodiscard]] inline double margin_of(const FitGoal& goal, const ErrorModel& model, double hits) {
+    return goal.margin * z_of(goal, model) * model.deviation(hits);
+}
 
 struct NeededHits {
     std::optional<double>

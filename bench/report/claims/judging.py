@@ -64,7 +64,8 @@ def verdict_of(signs):
         return "conditional", f"true in every scene from {count_text(min(later))} hits on, not at {count_text(max(others))} and below"
     if wins or any(-1 in s for s in signs.values()):
         return "conditional", "true in some scenes or at some sizes only"
-    return NOT_DECIDED, ""
+    losses = [hits for hits, s in signs.items() if s == {1}]
+    return NOT_DECIDED, f"false in every scene at {', '.join(map(count_text, losses))}" if losses else ""
 
 
 def sizes_in_all(rows_by_scene):

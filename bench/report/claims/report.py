@@ -103,7 +103,9 @@ def context_lines(comparison, study):
 
 def report(comparison, study):
     lines = ["# Photon maps and spherical harmonic light maps, measured side by side", ""]
-    lines += ["## The paper's claims", "", f"Of {comparison.light_map}, the default.", "", *claims_table(comparison, study), "", STRONGEST, ""]
+    lines += ["## The paper's claims", "", STRONGEST, ""]
+    if comparison.light_map in comparison.methods:
+        lines += [f"Of {comparison.light_map}, the default.", "", *claims_table(comparison, study), ""]
     if PAPER_LIGHT_MAP in comparison.methods:
         paper = comparison.judging(PAPER_LIGHT_MAP)
         lines += [f"Of {PAPER_LIGHT_MAP}, asked as in the paper: the nearest texels are taken whatever surface they are of.", "", *claims_table(paper, study), ""]

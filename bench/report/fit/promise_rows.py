@@ -23,7 +23,8 @@ def row_of(fit, kind):
     if not entry["reached"]:
         return row | {"reason": entry["reason"]}
     choice = entry["choice"]
-    row |= {"method": choice["method"], "hits": choice["hits"], "estimated": choice["error"], "noise": choice["noise"], "seconds": choice["seconds"]}
+    row |= {"method": choice["method"], "hits": choice["hits"], "estimated": choice["error"], "bound": choice["bound"]}
+    row |= {"noise": choice["noise"], "seconds": choice["seconds"]}
     return row | {"measured": measured_errors(fit, entry)}
 
 
@@ -38,6 +39,12 @@ def mean_square(errors):
 def ratio_of(row):
     """Measured over estimated error."""
     return math.sqrt(mean_square(row["measured"])) / row["estimated"]
+
+
+def used_margin(row):
+    """Of each run: what its squared error is above the estimate, in parts of the margin that fit took."""
+    estimated = row["estimated"] ** 2
+    return [(error**2 - estimated) / max(row["bound"] ** 2 - estimated, 1e-12) for error in row["measured"]]
 
 
 def quantile(values, share):
@@ -59,7 +66,9 @@ def figures_of(rows):
     spread = {name: quantile(ratios, share) for name, share in (("tenth", 0.1), ("median", 0.5), ("nine_tenths", 0.9))}
     dear = statistics.median(row["pilot_seconds"] / row["seconds"] for row in rows)
     pilot = statistics.median(row["pilot_seconds"] for row in rows)
-    return {"choices": len(rows), "runs": len(runs), "runs_that_meet": met, "measured_over_estimated": spread, "pilot_seconds": pilot, "pilot_over_chosen": dear}
+    margin = quantile([used for row in rows for used in used_margin(row)], 0.9)
+    figures = {"choices": len(rows), "runs": len(runs), "runs_that_meet": met, "measured_over_estimated": spread}
+    return figures | {"pilot_seconds": pilot, "pilot_over_chosen": dear, "nine_tenths_of_used_margin": margin}
 
 
 def summary_of(rows):
@@ -93,6 +102,12 @@ def line_of(label, kind, figures):
     )
 
 
+def margin_words(sure):
+    if sure["choices"] == 0:
+        return ""
+    return f"Nine of ten sure runs use at most {number_text(sure['nine_tenths_of_used_margin'])} of the margin that fit takes; with 1 just nine of ten stay within their bound.\n"
+
+
 def table_of(document):
     summary, rooms = document["summary"], document["rooms"]
     lines = "".join(line_of(f"{100 * row['target']:g}", KINDS[row["map"]], row) for row in summary["by_target"])
@@ -101,4 +116,5 @@ def table_of(document):
     return (
         f"Rooms {rooms['first']} to {last}; choices out of reach: {summary['out_of_reach']}. {machine_text(document['context'])}\n\n{HEAD}{lines}\n"
         "A run meets its target where its relative RMS error, without that of the reference, is at most the target. Pilot: the whole search.\n"
+        + margin_words(summary["sure"])
     )

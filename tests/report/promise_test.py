@@ -69,7 +69,8 @@ class Counting(unittest.TestCase):
     def test_how_much_of_the_margin_runs_use(self):
         half = (0.5 * (0.09**2 + 0.1**2)) ** 0.5
         found = self.summary(fit_of(entry([half] * 10), entry([half] * 10)))
-        self.assertAlmostEqual(found["sure"]["nine_tenths_of_used_margin"], 0.5)
+        self.assertAlmostEqual(found["sure"]["used_margin"]["nine_tenths"], 0.5)
+        self.assertAlmostEqual(found["sure"]["used_margin"]["at_most"], 0.5)
 
     def test_what_is_out_of_reach_is_counted_apart(self):
         nothing = {"reached": False, "sure": True, "reason": "bias"}

@@ -15,10 +15,10 @@ namespace bench::fit {
 namespace {
 
 constexpr double confidence = 0.9;  // of ten runs nine meet the target
-// Nine of ten runs use at most so much of a margin of 1 on the random rooms 1 to 24, by `bench/report
-// fit-promise ... --rooms 1,24`: results/models/promise/calibration.json.
-constexpr double margin = 1;
-constexpr double tries = 10;        // of a map whose blocks change with its hits: pilots, and fewer hits
+// Calibrated: with a margin of 1 nine of ten runs on the random rooms 1 to 24 use at most 1.32 of it, as far
+// as the draw of the rooms lets one tell (results/models/promise/calibration.json, bench/report fit-promise).
+constexpr double margin = 1.4;
+constexpr double tries = 10;  // of a map whose blocks change with its hits: pilots, and fewer hits
 constexpr std::size_t most_seeds = 1000;
 
 FitGoal goal_of(const FitOptions& options, const std::string& target, const std::string& least) {

@@ -1,8 +1,8 @@
 """Whether fit keeps its word on scenes that nobody chose: random rooms, fitted and then measured with other seeds.
 
-    bench/report fit-promise SHLMBENCH SHLMBENCH_SCENES OUT --rooms 101,24 [--targets 20%,10%,5%] ...
+    bench/report fit-promise SHLMBENCH SHLMBENCH_SCENES OUT --rooms 201,24 [--targets 20%,10%,5%] ...
 
-Makes OUT/promise.json, promise.md and promise.png. Rooms 1 to 24 are those that margins were taken from, 101 to 124 those that they are
+Makes OUT/promise.json, promise.md and promise.png. Rooms 1 to 24 are those that margins were taken from, 201 to 224 those that they are
 tested on. Stopped, it goes on from the last finished room in --work. Exit code: 0; 1 where less than nine of ten runs meet a target of
 which fit was sure; 2 for bad input; 130 if stopped.
 """

@@ -5,6 +5,7 @@ from report.sheet import Sheet, plain_axes
 from report.text import machine_text
 
 COLOURS = {True: "#1f77b4", False: "#bbbbbb"}
+LOWEST, HIGHEST = 0.4, 1.6
 
 
 def draw(document, file):
@@ -13,7 +14,7 @@ def draw(document, file):
     first, count = document["rooms"]["first"], document["rooms"]["count"]
     words = (
         "Each dot is a run with a seed that the fit has not seen: its error over the target, the reference's own error taken off. "
-        "Blue: fit was sure. Grey: it said that it was not. Below the line the target is met. " + machine_text(document["context"])
+        "Blue: fit was sure. Grey: it said that it was not. Below the line the target is met. Triangles are beyond the axis. " + machine_text(document["context"])
     )
     sheet = Sheet(len(KINDS), len(targets), (3.6, 2.4), f"Does fit keep its word? Rooms {first} to {first + count - 1}", words)
     for panels, (kind, name) in zip(sheet.panels, KINDS.items()):
@@ -30,4 +31,6 @@ def draw_panel(axes, rows, target):
         room = int(row["room"].rsplit("-", 1)[1])
         ratios = [error / target for error in row["measured"]]
         axes.plot([room] * len(ratios), ratios, ".", markersize=3, color=COLOURS[row["sure"]])
-    axes.set_ylim(0.4, 1.6)
+        beyond = sum(ratio > HIGHEST for ratio in ratios)
+        axes.plot([room] * beyond, [HIGHEST - 0.03] * beyond, "^", markersize=4, color=COLOURS[row["sure"]])
+    axes.set_ylim(LOWEST, HIGHEST)

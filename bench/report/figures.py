@@ -21,7 +21,7 @@ from functools import lru_cache
 from pathlib import Path
 
 NUMBER = r"(\d[\d,]*(?:\.\d+)?(?:e[+-]?\d+)?)"
-MARKER = re.compile(NUMBER + r"([^<>]{0,24})<!-- =(\S+) (.+?) -->")
+MARKER = re.compile(NUMBER + r"([^<>\d]{0,24})<!-- =(\S+) (.+?) -->")  # the last number before it
 COPY = re.compile(r"<!-- copy of (\S+) -->\n(.*?)<!-- end of copy -->", re.DOTALL)
 UNITS = {"": 1.0, "%": 100.0, "ms": 1e3, "us": 1e6, "ns": 1e9, "M": 1e-6, "KiB": 2.0**-10, "MiB": 2.0**-20, "GiB": 2.0**-30}
 

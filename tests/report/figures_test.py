@@ -35,6 +35,9 @@ class Figures(unittest.TestCase):
             (problem,) = self.problems(f"It takes\n{number} s{path}{unit} -->.")
             self.assertIn("text.md:2:", problem)
 
+    def test_a_marker_belongs_to_the_last_number_before_it(self):
+        self.assertEqual(self.problems("Of rooms 1 to 24, 1000000<!-- =data.json rows/0/hits --> hits."), [])
+
     def test_squares_are_read_as_errors(self):
         self.assertEqual(self.problems("5 %<!-- =data.json rows/0/error root% -->"), [])
         self.assertEqual(len(self.problems("6 %<!-- =data.json rows/0/error root% -->")), 1)

@@ -18,7 +18,7 @@ LIGHT_MAP, FLANN, GRID = "shlm/L2/radiance/surface4", "photonmap/flann/k50/disc"
 CONTEXT = {"threads": 2, "seed": 1, "settings": "s", "machine": "m", "compiler": "c", "libraries": {"embree": "3", "flann": "1"}, "commit": "x"}
 NAMES = {"insert", "gather", "bytes", "memory-wall", "time-to-map"}
 WALL = 20e9
-COLUMNS = ("trace_seconds", "making_room_seconds", "trace_and_insert_seconds", "build_seconds", "insert_ns_per_hit", "gather_us_per_query",
+COLUMNS = ("trace_seconds", "making_room_seconds", "trace_and_insert_seconds", "build_seconds", "ratio_to_null_sink", "gather_us_per_query",
            "gather_us_per_query_shuffled", "insert_bytes")
 
 
@@ -54,6 +54,12 @@ class Charts(unittest.TestCase):
             charts.main([self.folder.name])
             drawn = {file.stem for file in (Path(self.folder.name) / "charts").iterdir()}
             self.assertEqual(drawn, NAMES)
+
+    def test_insertion_is_the_paired_difference_of_walls(self):
+        made = row(LIGHT_MAP, 1000, 1e8) | {"threads": 2, "trace_seconds": 1e-5, "ratio_to_null_sink": 1.5, "ratio_to_null_sink_range": [1.4, 1.6], "insert_ns_per_hit": 3}
+        figure, axes = plt.subplots()
+        charts.draw_methods(self.comparison([made]), charts.INSERT_NS)(axes, "room")
+        self.assertAlmostEqual(axes.get_lines()[0].get_ydata()[0], 10)
 
     def test_the_wall_and_what_lies_beyond(self):
         rows = [row(FLANN, 10**6, 80e6), row(FLANN, 10**8, 8e9), skipped(FLANN, 10**9), row(LIGHT_MAP, 10**9, 120e6)]

@@ -133,15 +133,20 @@ def beside(comparison, baseline, figure, is_counted=lambda row: True):
     return pairs, *verdict_by_hits(outcomes_of(pairs, figure), comparison.scenes)
 
 
+def with_preparation(pairs):
+    """Those whose preparation of the scene was timed."""
+    return [pair for pair in pairs if all("prepare_seconds" in row for row in pair[1:])]
+
+
 def both_clocks(pairs):
     """What the scene's preparation changes, where it was measured: the ratios with it."""
-    timed = [pair for pair in pairs if all("prepare_seconds" in row for row in pair[1:])]
+    timed = with_preparation(pairs)
     return f" With the preparation of the scene: {ratios_text(timed, FIRST_MAP_SECONDS, '{:.2f}', lambda row: count_text(row['hits_asked']))}." if timed else ""
 
 
 def first_map_verdict(comparison, baseline):
     """Of the first map of a scene; nothing where preparation was not measured."""
-    pairs = [pair for pair in baseline.pairs(comparison) if all("prepare_seconds" in row for row in pair[1:])]
+    pairs = with_preparation(baseline.pairs(comparison))
     if not pairs:
         return ""
     verdict, condition = verdict_by_hits(outcomes_of(pairs, FIRST_MAP_SECONDS), comparison.scenes)

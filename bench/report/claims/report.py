@@ -7,6 +7,7 @@ from pathlib import Path
 from report.claims.claims import findings
 from report.claims.finding import NOT_MEASURED_YET
 from report.claims.verdicts import read_summary
+from report.compare.baselines import INSERT_NS
 from report.compare.comparison import LIGHT_MAP, LIGHT_MAP_FLUX, PAPER_LIGHT_MAP, PHOTON_MAP, Comparison
 from report.text import NOTHING, count_text, number_text
 
@@ -17,6 +18,10 @@ CHARTS = {
     "bytes": "Bytes of the finished map. Dashed: the light map's sums while it is filled.",
     "memory-wall": "What a run adds to the process at its fullest, with the bound of `--max-memory`. Points are measured; dashed lines are straight "
     "from the last two of them, crosses are where a method would meet the wall, figures at the right are bytes at a billion hits, \u2248 where extrapolated.",
+}
+LIGHT_MAPS = {
+    LIGHT_MAP: "the default",
+    PAPER_LIGHT_MAP: "asked as in the paper: the nearest texels are taken whatever surface they are of",
 }
 STRONGEST = (
     "The strongest engine is found by measurement: of the exact photon maps with a row of the same scene and number of hits, the one whose figure "
@@ -52,7 +57,7 @@ def scene_table(comparison, scene):
             lines.append(f"| {row['method']} | {count_text(row['hits_asked'])} | skipped: {row['skipped']} |" + 12 * " |")
             continue
         lines.append(
-            f"| {row['method']} | {row['hits']} | {row['repetitions']} | {number_text(row.get('prepare_seconds'))} | {row['trace_seconds']:.3g} | {row['insert_ns_per_hit']:.1f} "
+            f"| {row['method']} | {row['hits']} | {row['repetitions']} | {number_text(row.get('prepare_seconds'))} | {row['trace_seconds']:.3g} | {INSERT_NS.value(row):.1f} "
             f"| {row['build_seconds']:.3g} | {row['gather_us_per_query']:.2f} | {row['gather_us_per_query_shuffled']:.2f} "
             f"| {mebibytes(row, 'prepare_bytes')} | {mebibytes(row, 'insert_bytes')} | {mebibytes(row, 'bytes')} | {row['peak_rss_bytes'] / 2**20:.0f} | {added_text(row)} | {row['mean_irradiance']:.4g} |"
         )
@@ -104,11 +109,9 @@ def context_lines(comparison, study):
 def report(comparison, study):
     lines = ["# Photon maps and spherical harmonic light maps, measured side by side", ""]
     lines += ["## The paper's claims", "", STRONGEST, ""]
-    if comparison.light_map in comparison.methods:
-        lines += [f"Of {comparison.light_map}, the default.", "", *claims_table(comparison, study), ""]
-    if PAPER_LIGHT_MAP in comparison.methods:
-        paper = comparison.judging(PAPER_LIGHT_MAP)
-        lines += [f"Of {PAPER_LIGHT_MAP}, asked as in the paper: the nearest texels are taken whatever surface they are of.", "", *claims_table(paper, study), ""]
+    for light_map, words in LIGHT_MAPS.items():
+        if light_map in comparison.methods:
+            lines += [f"Of {light_map}, {words}.", "", *claims_table(comparison.judging(light_map), study), ""]
     lines += ["## Charts", ""]
     for name, text in CHARTS.items():
         lines += [text, "", f"![{name}](charts/{name}.png)", ""]

@@ -13,7 +13,7 @@ from pathlib import Path
 from report.claims.claims import measured_by_study, measured_here
 from report.claims.finding import NOT_DECIDED, NOT_MEASURED_YET
 from report.claims.judging import RUNS, RUNS_OF_LARGE
-from report.compare.comparison import LIGHT_MAP, PAPER_LIGHT_MAP, Comparison
+from report.compare.comparison import LIGHT_MAP, Comparison
 from report.text import machine_text
 
 
@@ -36,15 +36,10 @@ def sources_of(folders):
     made = []
     for folder in folders:
         if (Path(folder) / "compare.json").exists():
-            comparison = of_a_light_map(Comparison(folder))
+            comparison = Comparison(folder)
             made.append(Source(folder, comparison.context, comparison.light_map, measured_here(comparison, study)))
     made += [Source(folder, summary["context"], LIGHT_MAP, measured_by_study(summary, LIGHT_MAP)) for folder, summary in studies]
     return made
-
-
-def of_a_light_map(comparison):
-    """The default where it was measured, else the paper's."""
-    return comparison if LIGHT_MAP in comparison.methods else comparison.judging(PAPER_LIGHT_MAP)
 
 
 def overall(verdicts):

@@ -6,12 +6,13 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from report.compare.baselines import one_per_engine
-from report.compare.comparison import LIGHT_MAP, Comparison, map_seconds
+from report.compare.baselines import BYTES, GATHER_US, INSERT_NS, one_per_engine, sum_of
+from report.compare.comparison import Comparison, map_seconds
 from report.compare.memory_wall import growth, peaks, wall_bytes
 from report.text import bytes_text
 
 BILLION = 1e9
+SHUFFLED_GATHER_US, BYTES_WHILE_FILLED = sum_of(("gather_us_per_query_shuffled",)), sum_of(("insert_bytes",))
 
 
 def style_of(comparison, method):
@@ -21,22 +22,16 @@ def style_of(comparison, method):
 
 def styles(comparison):
     """The methods that are drawn, in the order of the table: one photon map for each engine, and the light map."""
-    drawn = [*one_per_engine(comparison), *(m for m in comparison.methods if m == LIGHT_MAP)]
+    drawn = [*one_per_engine(comparison), *(m for m in comparison.methods if m == comparison.light_map)]
     return {method: style_of(comparison, method) for method in drawn}
 
 
-def value_and_range(row, column):
-    value = row[column]
-    low, high = row.get(column + "_range", (value, value))
-    return value, low, high
-
-
-def draw_line(axes, rows, column, style, label, line="-"):
+def draw_line(axes, rows, figure, style, label, line="-"):
     """Medians joined by a line, with the range over the repetitions as a band."""
     hits = [row["hits"] for row in rows]
-    values = [value_and_range(row, column) for row in rows]
-    axes.plot(hits, [v for v, _, _ in values], line, label=label, markersize=4, linewidth=1.3, **style)
-    axes.fill_between(hits, [low for _, low, _ in values], [high for _, _, high in values], color=style["color"], alpha=0.15)
+    lows, highs = zip(*(figure.bounds(row) for row in rows))
+    axes.plot(hits, [figure.value(row) for row in rows], line, label=label, markersize=4, linewidth=1.3, **style)
+    axes.fill_between(hits, lows, highs, color=style["color"], alpha=0.15)
 
 
 def caption(comparison):
@@ -77,11 +72,11 @@ def chart(comparison, name, title, unit, draw):
     plt.close(figure)
 
 
-def draw_methods(comparison, column):
+def draw_methods(comparison, figure):
     def draw(axes, scene):
         for method, style in styles(comparison).items():
             if rows := comparison.series(scene, method):
-                draw_line(axes, rows, column, style, method)
+                draw_line(axes, rows, figure, style, method)
 
     return draw
 
@@ -90,8 +85,8 @@ def draw_gather(comparison):
     def draw(axes, scene):
         for method, style in styles(comparison).items():
             if rows := comparison.series(scene, method):
-                draw_line(axes, rows, "gather_us_per_query", style, method)
-                draw_line(axes, rows, "gather_us_per_query_shuffled", style, None, "--")
+                draw_line(axes, rows, GATHER_US, style, method)
+                draw_line(axes, rows, SHUFFLED_GATHER_US, style, None, "--")
 
     return draw
 
@@ -100,9 +95,10 @@ def draw_bytes(comparison):
     def draw(axes, scene):
         for method, style in styles(comparison).items():
             if rows := comparison.series(scene, method):
-                draw_line(axes, rows, "bytes", style, method)
-        if rows := comparison.series(scene, LIGHT_MAP):
-            draw_line(axes, rows, "insert_bytes", style_of(comparison, LIGHT_MAP), f"{LIGHT_MAP}, while tracing", "--")
+                draw_line(axes, rows, BYTES, style, method)
+        light_map = comparison.light_map
+        if rows := comparison.series(scene, light_map):
+            draw_line(axes, rows, BYTES_WHILE_FILLED, style_of(comparison, light_map), f"{light_map}, while tracing", "--")
 
     return draw
 
@@ -167,7 +163,7 @@ def draw_time_to_map(comparison):
 
 def main(arguments):
     comparison = Comparison(arguments[0])
-    chart(comparison, "insert", "Inserting a hit into the store", "ns per hit and thread", draw_methods(comparison, "insert_ns_per_hit"))
+    chart(comparison, "insert", "Inserting a hit into the store", "ns per hit and thread", draw_methods(comparison, INSERT_NS))
     chart(comparison, "gather", "Irradiance at a visible point, one thread; dashed: points shuffled", "µs per query", draw_gather(comparison))
     chart(comparison, "bytes", "Memory of the map with its index", "bytes", draw_bytes(comparison))
     chart(comparison, "memory-wall", "Memory added to the process; dashed: drawn on to a billion hits", "bytes", draw_memory_wall(comparison))

@@ -16,12 +16,11 @@ MAP_COLUMNS = ("making_room_seconds", "trace_and_insert_seconds", "build_seconds
 class Comparison:
     """The rows of one compare.json, by scene, method and number of hits asked for.
 
-    `light_map` is the one that claims are judged of.
+    `light_map` is the one that claims are judged of: the default where it was measured, else the paper's.
     """
 
     def __init__(self, folder):
         self.folder = Path(folder)
-        self.light_map = LIGHT_MAP
         with open(self.folder / "compare.json", encoding="utf-8") as file:
             document = json.load(file)
         self.context = document["context"]
@@ -30,6 +29,7 @@ class Comparison:
         for row in self.rows:
             if "skipped" not in row:
                 self._measured[row["scene"], row["method"]][row["hits_asked"]] = row
+        self.light_map = PAPER_LIGHT_MAP if PAPER_LIGHT_MAP in self.methods and LIGHT_MAP not in self.methods else LIGHT_MAP
 
     def judging(self, light_map):
         """The same rows for claims of another light map."""

@@ -92,11 +92,7 @@ auto PreparedScene::timed_texels(const TexelChoice& choice) -> TimedTexels& {
     const auto make = [&] {
         return shlm::PreparedTexels(*scene_, uv_.value, choice.count, choice.placement, of_scene);
     };
-    const std::pair key(choice.count, choice.placement);
-    const auto found = texels_.find(key);
-    return found != texels_.end()
-               ? found->second
-               : texels_.emplace(key, TimedTexels{Timed<shlm::PreparedTexels>(make)}).first->second;
+    return texels_.try_emplace({choice.count, choice.placement}, make).first->second;
 }
 
 }  // namespace bench

@@ -74,6 +74,9 @@ class PreparedScene {
     struct TimedTexels {
         Timed<shlm::PreparedTexels> made;
         double tree_seconds = 0;  ///< once it is there
+
+        template <class Make>
+        explicit TimedTexels(Make make) : made(make) {}
     };
 
     [[nodiscard]] const Timed<common::SurfacePieces>& pieces();

@@ -5,17 +5,23 @@
 
 namespace bench::fit {
 
+namespace {
+
+/// (x^2 - x) N, counted from x = 1 on.
+double noise_doubt(const ErrorModel& model, double x) {
+    const double noise_alone = std::min(model.noise_variance, 2 * model.spread_variance);
+    return std::max(0.0, x * x - x) * noise_alone;
+}
+
+}  // namespace
+
 double ErrorModel::deviation(double hits) const {
     const double x = pilot_hits / hits;
-    const double noise_alone = std::min(noise_variance, 2 * spread_variance);
-    return std::sqrt(bias_variance + sampling_variance + 2 * x * spread_variance +
-                     2 * std::max(0.0, x * x - x) * noise_alone);
+    return std::sqrt(bias_variance + sampling_variance + 2 * x * spread_variance + 2 * noise_doubt(*this, x));
 }
 
 double ErrorModel::doubt(double hits) const {
-    const double x = pilot_hits / hits;
-    const double noise_alone = std::min(noise_variance, 2 * spread_variance);
-    return std::sqrt(bias_variance + std::max(0.0, x * x - x) * noise_alone);
+    return std::sqrt(bias_variance + noise_doubt(*this, pilot_hits / hits));
 }
 
 std::optional<double> hits_for(const ErrorModel& model, double target, double z) {

@@ -32,14 +32,11 @@ std::vector<common::VisibleSurface> seen_by_pixel(const LoadedScene& scene) {
 FitPoints find_fit_points(const LoadedScene& scene) {
     FitPoints points;
     points.tiling = {tiles_across, tiles_down};
-    points.width = width;
-    points.height = height;
     const auto seen = seen_by_pixel(scene);
     for (std::uint32_t pixel = 0; pixel < seen.size(); ++pixel) {
         if (!seen[pixel].present) continue;
         points.point.push_back(seen[pixel].point);
         points.seen.push_back(seen[pixel]);
-        points.pixel.push_back(pixel);
         points.tile.push_back(pixel / width / tile_side * tiles_across + pixel % width / tile_side);
     }
     if (points.point.empty())

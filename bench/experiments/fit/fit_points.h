@@ -14,10 +14,8 @@ struct FitPoints {
     std::vector<common::SurfacePoint>
         point;  ///< what the camera sees in 96 x 54 pixels, row by row, at a place drawn in each
     std::vector<common::VisibleSurface> seen;  ///< the same points, for paths to start at
-    std::vector<std::uint32_t> pixel;          ///< of each point: row by row
     std::vector<std::uint32_t> tile;           ///< of each point: the part of the image that it is in
     Tiling tiling;
-    std::uint32_t width = 0, height = 0;  ///< of the image, pixels
 };
 
 /// Tiles are larger than the blur of any candidate worth having, so that noise in one says nothing of the

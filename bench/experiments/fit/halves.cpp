@@ -36,10 +36,6 @@ double SquareEstimate::variance() const {
     return variance_of_sum(tile_difference, tiling);
 }
 
-double SquareEstimate::standard_error() const {
-    return std::sqrt(variance());
-}
-
 SquareEstimate squared_difference(const Halves& halves, const Halves& other, const Measure& measure) {
     SquareEstimate estimate{.value = 0,
                             .sampling_variance = 0,

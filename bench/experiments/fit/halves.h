@@ -43,7 +43,6 @@ struct SquareEstimate {
     Tiling tiling;
 
     [[nodiscard]] double variance() const;
-    [[nodiscard]] double standard_error() const;
 };
 
 /// (What `halves` converges to - what `other` converges to)^2: mean of w (a - f_a)(b - f_b), without bias as

@@ -11,7 +11,7 @@ inline constexpr std::uint64_t fewest_pilot_hits = 25'000;
 
 struct SearchLimits {
     std::uint64_t pilot_hits = 0;                              ///< of each half of the last pilot, at most
-    double seconds = std::numeric_limits<double>::infinity();  ///< for all but the first pilot
+    double seconds = std::numeric_limits<double>::infinity();  ///< the first pilot is finished all the same
 };
 
 /// One kind of map: the choice, and how sure it is.

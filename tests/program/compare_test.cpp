@@ -83,8 +83,16 @@ TEST_F(Compare, GoesOnWhereItWas) {
     ASSERT_EQ(second.size(), 2u);
     EXPECT_EQ(second[0], first[0]);
     EXPECT_FALSE(second[1].contains("skipped"));
-    // More repetitions are another table.
-    EXPECT_NE(rows_after(small(cornell, out, methods, "2"))[0], first[0]);
+    // More repetitions are measured, in the old rows' place; fewer of another size go beside them.
+    const Json more = rows_after(small(cornell, out, methods, "2"));
+    ASSERT_EQ(more.size(), 2u);
+    EXPECT_NE(more[0], first[0]);
+    Words larger = small(cornell, out, methods);
+    larger[3] = "2000";
+    const Json both = rows_after(larger);
+    ASSERT_EQ(both.size(), 4u);
+    EXPECT_EQ(both[0], more[0]);
+    EXPECT_EQ(both[1], more[1]);
 }
 
 TEST_F(Compare, DoesNotTakeAnotherSceneOfTheSameNameForItsOwn) {

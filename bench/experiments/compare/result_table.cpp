@@ -20,7 +20,6 @@ using Json = nlohmann::ordered_json;
 Json context_of(const ComparePlan& plan) {
     Json context = provenance();
     context["seed"] = plan.seed;
-    context["repetitions"] = plan.repetitions;
     context["threads"] = plan.threads;
     context["settings"] = describe(plan.settings);
     context["lights_and_camera"] = fmt::format("{} {} {}", plan.scene.sky, plan.scene.sun, plan.scene.camera);
@@ -54,7 +53,7 @@ void erase_rows(Json& rows, const std::function<bool(const Json&)>& unwanted) {
 
 }  // namespace
 
-ResultTable::ResultTable(const ComparePlan& plan) : folder_(plan.out) {
+ResultTable::ResultTable(const ComparePlan& plan) : folder_(plan.out), repetitions_(plan.repetitions) {
     document_["context"] = context_of(plan);
     document_["rows"] = earlier_rows(folder_ / "compare.json", document_["context"]);
 }
@@ -66,15 +65,17 @@ void ResultTable::keep_one_version_of(const std::string& scene, const std::strin
 
 bool ResultTable::has(const std::string& scene, const std::string& method, std::uint64_t hits) const {
     return std::any_of(rows().begin(), rows().end(), [&](const Json& row) {
-        return key_of(row) == std::tuple(scene, method, hits) && !row.contains("skipped") &&
+        return key_of(row) == std::tuple(scene, method, hits) &&
+               row.value("repetitions_asked", 0u) >= repetitions_ && !row.contains("skipped") &&
                !row.contains("interrupted");
     });
 }
 
 void ResultTable::add(const std::vector<Json>& rows) {
-    for (const Json& row : rows) {
+    for (Json row : rows) {
         erase_rows(document_["rows"], [&](const Json& other) { return key_of(other) == key_of(row); });
-        document_["rows"].push_back(row);
+        row["repetitions_asked"] = repetitions_;
+        document_["rows"].push_back(std::move(row));
     }
     write_text(folder_ / "compare.json",
                document_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

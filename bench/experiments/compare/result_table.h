@@ -16,7 +16,8 @@ class ResultTable {
     /// Forgets rows of a scene of the same name that differs from the one with this fingerprint.
     void keep_one_version_of(const std::string& scene, const std::string& fingerprint);
 
-    /// Whether the row has been measured already; skipped ones are judged anew.
+    /// Whether the row has been measured already, by as many repetitions as are asked for now or more;
+    /// skipped ones are judged anew.
     [[nodiscard]] bool has(const std::string& scene, const std::string& method, std::uint64_t hits) const;
 
     /// Appends the rows, in the place of those they repeat, and writes both files anew: what is finished
@@ -27,6 +28,7 @@ class ResultTable {
 
   private:
     std::filesystem::path folder_;
+    std::size_t repetitions_;  ///< asked for; a size may get fewer, for its time
     nlohmann::ordered_json document_;
 };
 

@@ -60,9 +60,9 @@ class Methods(unittest.TestCase):
         self.assertEqual(found.least_hits, 100)
         self.assertEqual(method_named("shlm/L2/radiance/own/t64/h0").least_hits, 0)
         for name, family, number, kernel in (
-            ("photonmap/flann/k50/disc", FIXED_K, 50, "disc"),
-            ("photonmap/flann/k0.05n23/cone", GROWING_K, 0.05, "cone"),
-            ("photonmap/flann/r0.01/epanechnikov", FIXED_RADIUS, 0.01, "epanechnikov"),
+            ("photonmap/compact/k50/disc", FIXED_K, 50, "disc"),
+            ("photonmap/compact/k0.05n23/cone", GROWING_K, 0.05, "cone"),
+            ("photonmap/compact/r0.01/epanechnikov", FIXED_RADIUS, 0.01, "epanechnikov"),
         ):
             found = method_named(name)
             self.assertEqual((found.family, found.number, found.kernel), (family, number, kernel))
@@ -96,8 +96,8 @@ class Slopes(Folder):
         for name, theory in (
             (SHLM, -1),
             (PHOTONS, 0),
-            ("photonmap/flann/k0.05n23/cone", -2 / 3),
-            ("photonmap/flann/r0.01/disc", -1),
+            ("photonmap/compact/k0.05n23/cone", -2 / 3),
+            ("photonmap/compact/r0.01/disc", -1),
         ):
             slope = found[name].variance
             # log variance at a size has the deviation sqrt(2 / (seeds - 1) / values); the sizes are independent here.
@@ -109,12 +109,12 @@ class Slopes(Folder):
         # Time grows as the hits, the photon map's bytes as their square root, the light map's not at all.
         light = replace(light_map_law(floor=1e-9), gather_seconds=lambda hits: 0.0)
         photons = replace(radius_law(), gather_seconds=lambda hits: 0.0, bytes=lambda hits: 1e3 * hits**0.5)
-        found = self.findings({SHLM: light, "photonmap/flann/r0.01/disc": photons})["cornell"]
+        found = self.findings({SHLM: light, "photonmap/compact/r0.01/disc": photons})["cornell"]
         for finding in found.values():
             # The clock's jitter of 3 %, over three decades.
             self.assertAlmostEqual(finding.over_seconds.value, finding.error.value, delta=0.01)
         self.assertIsNone(found[SHLM].over_bytes)
-        radius = found["photonmap/flann/r0.01/disc"]
+        radius = found["photonmap/compact/r0.01/disc"]
         self.assertAlmostEqual(radius.over_bytes.value, 2 * radius.error.value, places=9)
 
     def test_sizes_where_the_bias_shows_are_not_fitted(self):
@@ -128,7 +128,7 @@ class Slopes(Folder):
         self.assertAlmostEqual(found.error.value, exact, delta=z_for(SIGNIFICANCE) * deviation)
 
     def test_neighbour_counts_are_fitted_from_the_first_hits_on(self):
-        name = "photonmap/flann/k0.05n23/disc"
+        name = "photonmap/compact/k0.05n23/disc"
         found = self.findings({PHOTONS: fixed_k_law(), name: growing_k_law()})["cornell"]
         for finding in found.values():
             self.assertEqual((finding.error.sizes, finding.variance.sizes), (3, 3))  # of four, without 1e4
@@ -141,7 +141,7 @@ class Slopes(Folder):
     def test_intervals_agree_with_theory(self):
         scenes = tuple(f"scene{i}" for i in range(20))
         methods = {
-            name: Law(lambda h: 1e3 / h, lambda h: 0.0) for name in (SHLM, "photonmap/flann/r0.01/disc")
+            name: Law(lambda h: 1e3 / h, lambda h: 0.0) for name in (SHLM, "photonmap/compact/r0.01/disc")
         }
         write_study(self.folder, Plan(methods, scenes=scenes, sizes=(10_000, 100_000), points=100))
         found = [
@@ -185,7 +185,7 @@ class Targets(unittest.TestCase):
 
     def test_beyond_where_both_parts_fall(self):
         curve = exact_curve(
-            "photonmap/flann/k0.05n23/disc",
+            "photonmap/compact/k0.05n23/disc",
             lambda h: 100 * h ** (-2 / 3),
             lambda h: h,
             lambda h: h,
@@ -255,7 +255,7 @@ class Front(unittest.TestCase):
 
 class Charted(unittest.TestCase):
     def test_best_of_a_kind_is_compared_at_a_common_size(self):
-        small, large = "photonmap/flann/r0.01/disc", "photonmap/flann/r0.02/disc"
+        small, large = "photonmap/compact/r0.01/disc", "photonmap/compact/r0.02/disc"
         far = exact_curve(large, lambda h: 4e3 / h, lambda h: h, lambda h: h, sizes=(1e4, 1e5, 1e6))
         near = exact_curve(small, lambda h: 1e3 / h, lambda h: h, lambda h: h, sizes=(1e4, 1e5))
         found = groups([method_named(small), method_named(large)], {"cornell": {small: near, large: far}})

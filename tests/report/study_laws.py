@@ -16,7 +16,7 @@ from synthetic_study import Law
 from known_methods import facts_of
 
 SIGNIFICANCE = 1e-6  # chance that a correct program fails one bound
-SHLM, PHOTONS = "shlm/L2/radiance/surface4", "photonmap/flann/k50/disc"
+SHLM, PHOTONS = "shlm/L2/radiance/surface4", "photonmap/compact/k50/disc"
 
 
 def z_for(significance):
@@ -59,8 +59,8 @@ def radius_law():
 FOUR_METHODS = {
     SHLM: light_map_law(),
     PHOTONS: fixed_k_law(),
-    "photonmap/flann/k0.05n23/cone": growing_k_law(),
-    "photonmap/flann/r0.01/disc": radius_law(),
+    "photonmap/compact/k0.05n23/cone": growing_k_law(),
+    "photonmap/compact/r0.01/disc": radius_law(),
 }
 
 

@@ -44,7 +44,7 @@ class Reports(Folder):
             "shlm/L0/normalised/surface4": light_map_law(4e-4),
             "shlm/L2/radiance/surface4/t16384": light_map_law(1e-3, 100),
             PHOTONS: fixed_k_law(),
-            "photonmap/flann/r0.01/disc": radius_law(),
+            "photonmap/compact/r0.01/disc": radius_law(),
         }
         plan = Plan(methods, scenes=("bumpy",), sizes=(10_000, 1_000_000), seeds=3, has_pictures=True)
         truth = write_study(self.folder, plan)["bumpy"]

@@ -29,16 +29,18 @@ struct StudyOptions {
                                         "shlm/L2/radiance/surface4/t16384",
                                         "shlm/L2/radiance/surface4/t65536",
                                         "shlm/L2/radiance/surface4/t1048576",
-                                        "photonmap/flann/k50/disc",
-                                        "photonmap/flann/k50/cone",
-                                        "photonmap/flann/k50/epanechnikov",
-                                        "photonmap/flann/k200/disc",
-                                        "photonmap/flann/k0.01n23/disc",
-                                        "photonmap/flann/k0.01n23/epanechnikov",
-                                        "photonmap/flann/r0.003/disc",
-                                        "photonmap/flann/r0.003/epanechnikov",
-                                        "photonmap/flann/r0.01/disc",
-                                        "photonmap/flann/r0.01/epanechnikov"};
+                                        "photonmap/compact/k50/disc",
+                                        "photonmap/compact/k50/cone",
+                                        "photonmap/compact/k50/epanechnikov",
+                                        "photonmap/compact/k200/disc",
+                                        "photonmap/compact/k0.01n23/disc",
+                                        "photonmap/compact/k0.01n23/epanechnikov",
+                                        "photonmap/compact/r0.00075/epanechnikov",
+                                        "photonmap/compact/r0.0015/epanechnikov",
+                                        "photonmap/compact/r0.003/disc",
+                                        "photonmap/compact/r0.003/epanechnikov",
+                                        "photonmap/compact/r0.006/epanechnikov",
+                                        "photonmap/compact/r0.012/epanechnikov"};
     std::string references = "results/references";
     std::string out = "results/study";
     std::string max_memory;

@@ -24,7 +24,13 @@ THEORY_TEXT = {
 
 REFERENCE_LIGHT_MAP = "shlm/L2/radiance/surface4"  # what "shlm" stands for
 TRADITIONAL_LIGHT_MAP = "shlm/L0/normalised/surface4"
-REFERENCE_PHOTON_MAP = "photonmap/flann/k50/disc"
+REFERENCE_PHOTON_MAP = "photonmap/compact/k50/disc"  # of the engine that is fastest and smallest
+
+
+def label_of(name):
+    """In charts, where room is scarce: the engine goes without saying."""
+    return name.replace("photonmap/compact/", "photonmap/")
+
 
 NO_STYLE = {"colour": "#666666", "marker": "x"}
 
@@ -49,7 +55,7 @@ class Method:
 
     @property
     def label(self):
-        return self.name.replace("photonmap/flann/", "photonmap/")
+        return label_of(self.name)
 
     @property
     def has_floor(self):

@@ -2,10 +2,10 @@
 
 import math
 
-
 from report.sheet import SMALL, Sheet, log_log, percent_axis, plain_axes
 from report.study.charts import chosen, draw_bars
 from report.study.data import PHASES
+from report.study.methods import REFERENCE_PHOTON_MAP, label_of
 from report.text import hits_text, seconds_text
 
 NOTE_LOST = (
@@ -71,7 +71,7 @@ def bias_and_variance(study, curves_by_scene, names, title, words):
             axes.minorticks_off()
             if column == 0:
                 axes.set_title(
-                    method.replace("photonmap/flann/", "photonmap/"),
+                    label_of(method),
                     fontsize=8,
                     loc="left",
                     fontweight="bold",
@@ -138,7 +138,7 @@ def time_split(curves_by_scene, names, title, words):
             plain_axes(axes, f"{scene}, {hits_text(sizes[column])} hits", "s", "")
             axes.set_yticks(
                 range(len(names)),
-                [n.replace("photonmap/flann/", "photonmap/") for n in names] if column == 0 else [],
+                [label_of(n) for n in names] if column == 0 else [],
             )
             axes.grid(True, axis="x", linewidth=0.4, alpha=0.6)
     sheet.legend(len(PHASES))
@@ -150,7 +150,7 @@ def tilt_methods(curves):
     wanted = ["shlm/L0/normalised/{}", "shlm/L1/radiance/{}", "shlm/L2/radiance/{}", "shlm/L4/radiance/{}"]
     found = {g: [w.format(g) for w in wanted if w.format(g) in curves] for g in ("surface4", "bilinear", "own")}
     gather = max(found, key=lambda g: len(found[g]))
-    return found[gather] + [n for n in ("photonmap/flann/k50/disc",) if n in curves]
+    return found[gather] + [n for n in (REFERENCE_PHOTON_MAP,) if n in curves]
 
 
 def common_size(curves):

@@ -17,7 +17,7 @@ REPORTS = {  # module, arguments, what it makes
     "bases": ("report.bases_charts", "FOLDER", "charts of FOLDER/bases.json"),
     "stability": ("report.stability_charts", "FOLDER", "charts of FOLDER/stability.json"),
     "billion-figure": ("report.claims.billion_figure", "FOLDER", "figure.png: the atrium at a billion hits"),
-    "figures": ("report.figures", "TEXT.md...", "whether the figures of texts are those of their data"),
+    "figures": ("report.figures", "[--write] TEXT.md...", "whether the figures of texts are those of their data; --write puts these in"),
     "elsewhere": ("report.elsewhere.report", "PROGRAM...", "the methods on scenes that others made; --help says the rest"),
 }
 

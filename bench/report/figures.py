@@ -1,4 +1,4 @@
-"""Checks the figures of texts against the data they are from: bench/report figures FILE.md...
+"""Checks the figures of texts against the data they are from: bench/report figures [--write] FILE.md...
 
 A figure is followed by a marker that names its file and key, which no reader sees:
 
@@ -9,6 +9,8 @@ chooses the one element that has these. A third word says how the number is to b
 KiB, MiB, GiB, root% (100 times the root of a mean square), /PATH (divided by the number at that path of the same file). The printed number must be the data's, rounded to as many digits as it has.
 
 A part of a text between <!-- copy of FILE --> and <!-- end of copy --> must be in FILE word for word.
+
+--write puts the data's numbers in place of stale ones, with as many decimals; copies stay as they are.
 
 Exit code: 0; 1 where a figure is stale; 2 for bad input.
 """
@@ -97,10 +99,26 @@ def half_of_last_digit(text):
     return 0.5 * 10.0 ** (digits + int(exponent or 0))
 
 
-def check(text_number, value):
+def is_printed(text_number, value):
+    """Whether the text is the value, as far as its digits go."""
     number = text_number.replace(",", "")
-    if abs(float(number) - value) > half_of_last_digit(number) * (1 + 1e-9):
+    return abs(float(number) - value) <= half_of_last_digit(number) * (1 + 1e-9)
+
+
+def check(text_number, value):
+    if not is_printed(text_number, value):
         raise StaleFigure(f"{text_number} is {value:.6g} by its data")
+
+
+def printed(value, like):
+    """The value with as many digits after the point as `like` has, or rounded where that has zeros at its end."""
+    number = like.replace(",", "")
+    if "e" in number:
+        return f"{value:.{len(number.partition('e')[0].partition('.')[2])}e}".replace("e+0", "e").replace("e-0", "e-")
+    if "." in number:
+        return f"{value:.{len(number.partition('.')[2])}f}"
+    step = 2 * half_of_last_digit(number)
+    return f"{round(value / step) * step:{',' if ',' in like else ''}.0f}"
 
 
 def data_file(text_file, name):
@@ -136,10 +154,27 @@ def stale_in(text_file):
     return problems, len(MARKER.findall(text)), len(COPY.findall(text))
 
 
+def write_anew(text_file):
+    """Every figure whose data is there; what is wrong with the others is for stale_in to say."""
+
+    def mended(found):
+        number, _, name, words = found.groups()
+        try:
+            value = value_of(data_of(data_file(text_file, name)), words)
+        except (StaleFigure, ValueError, IndexError, KeyError):
+            return found[0]
+        return (number if is_printed(number, value) else printed(value, number)) + found[0][len(number) :]
+
+    text_file.write_text(MARKER.sub(mended, text_file.read_text(encoding="utf-8")), encoding="utf-8")
+
+
 def main(arguments):
     stale = False
-    for name in arguments:
+    writes = arguments[:1] == ["--write"]
+    for name in arguments[writes:]:
         try:
+            if writes:
+                write_anew(Path(name))
             problems, figures, copies = stale_in(Path(name))
         except OSError as error:
             print(f"bench/report figures: {error}", file=sys.stderr)

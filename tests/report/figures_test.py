@@ -47,6 +47,18 @@ class Figures(unittest.TestCase):
                        "data.json rows/9/hits", "data.json rows", "data.json rows/0/hits furlongs"):
             self.assertEqual(len(self.problems(f"1<!-- ={marker} -->")), 1, marker)
 
+    def test_stale_figures_are_written_anew_as_they_were_printed(self):
+        for old, marker, new in (("0.9", "seconds", "0.0"), ("99.9", "seconds ms", "23.4"), ("7", "seconds ms", "23"), ("0.0235", "seconds", "0.0234"),
+                                 ("2,000,000", "hits", "1,000,000"), ("3", "none", "3"), ("1.5e5", "hits", "1.0e6"), ("23.40", "seconds ms", "23.40")):
+            with tempfile.TemporaryDirectory() as folder:
+                Path(folder, "data.json").write_text(json.dumps(DATA))
+                file = Path(folder, "text.md")
+                mark = f"<!-- =data.json rows/0/{marker} -->"
+                file.write_text(f"From 1 to {old} s{mark}, and so on.\n")
+                figures.data_of.cache_clear()
+                figures.write_anew(file)
+                self.assertEqual(file.read_text(), f"From 1 to {new} s{mark}, and so on.\n")
+
     def test_a_copy_is_word_for_word(self):
         def copy(number):
             return f"<!-- copy of table.md -->\n| a |\n|---|\n| {number} |\n<!-- end of copy -->\n"

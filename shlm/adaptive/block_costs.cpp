@@ -14,20 +14,24 @@ using common::Vec3;
 constexpr double hits_to_know = 100;
 
 /// Relative variance that one hit of uniform light brings to (irradiance of a normal - that of the surface),
-/// over the squared sine between the two: 3.0 for order 2 and 2.1 for H4, by Monte Carlo over hits that come
+/// over the squared sine between the two: 2.7 for order 2 and 2.1 for H4, by Monte Carlo over hits that come
 /// with the density of the cosine, kernels as in largest_surface_share, divided by the cosine. Within a tenth
-/// up to 45 degrees. Bases of one shape have the same, since all channels come with the same hits; AD's is
+/// up to 60 degrees. Bases of one shape have the same, since all channels come with the same hits; AD's is
 /// taken for H4's.
-constexpr float order_2_noise = 3.0f, h4_noise = 2.1f;
+constexpr float order_2_noise = 2.7f, h4_noise = 2.1f;
 
 constexpr std::array<float, block_kinds> direction_noise = {
     0, 0, 0, h4_noise, h4_noise, order_2_noise, order_2_noise};
 
-/// Noise is told from light where it exceeds what is expected of it by this many standard deviations: a mean
-/// of n squares of normal numbers varies by sqrt(2 / n). What does not is not stored.
+/// Light is told from noise where a mean of n squares exceeds what is expected of noise by this many standard
+/// deviations: of normal numbers it varies by sqrt(2 / n).
 constexpr double significance = 2;
-double largest_noise(double expected, double squares) {
-    return expected * (1 + significance * std::sqrt(2 / std::max(squares, 1.0)));
+
+/// What of a mean of squares is light: all but the expected noise where it can be told from that, else
+/// nothing. To take two deviations off as well would count all light for less than it is.
+double beyond_noise(double found, double expected, double squares) {
+    const double largest = expected * (1 + significance * std::sqrt(2 / std::max(squares, 1.0)));
+    return found > largest ? found - expected : 0;
 }
 
 /// Directions tell of noise in about as many numbers as H4 has beside its constant.
@@ -111,10 +115,10 @@ class CostsOfFace {
         double dark = 0, by_space = 0, noise = 0, relative_light = 0;
         for (std::size_t c = 0; c < 3; ++c) {
             const double e = light.surface[static_cast<int>(c)];
-            dark += std::max(sums.second[c] - largest_noise(sums.noise[c], sums.texels), 0.0);
+            dark += beyond_noise(sums.second[c], sums.noise[c], sums.texels);
             const double spread = sums.second[c] - 2 * e * sums.first[c] + e * e * sums.weight[c];
             const double expected = sums.noise[c] * (1 - 1 / sums.texels);
-            by_space += std::max(spread - largest_noise(expected, sums.texels - 1), 0.0);
+            by_space += beyond_noise(spread, expected, sums.texels - 1);
             noise += sums.noise[c] / sums.texels;
             relative_light += sums.weight[c] * square(around.irradiance[static_cast<int>(c)]);
         }
@@ -127,10 +131,8 @@ class CostsOfFace {
             const auto kind = static_cast<BlockKind>(k);
             double left_out = 0;
             if (!normals_.bent.empty() && kind != BlockKind::L2)
-                left_out = std::max(
-                    left_out_by(kind, light, block.surface.unit_normal(), sums) -
-                        largest_noise(direction * (order_2_noise - direction_noise[k]), direction_squares),
-                    0.0);
+                left_out = beyond_noise(left_out_by(kind, light, block.surface.unit_normal(), sums),
+                                        direction * (order_2_noise - direction_noise[k]), direction_squares);
             set(kind, by_space + noise + left_out + direction * direction_noise[k]);
         }
     }
@@ -184,13 +186,19 @@ class CostsOfFace {
     std::vector<Bent> bent_;  ///< of the block whose errors are set
 };
 
-/// (Variance of four blocks' light) / (what it would be if hits were alike), of all blocks of four that are
-/// covered alike and have few hits, so that noise is most of what they differ by. Whatever the texels' size,
-/// such blocks are everywhere. At the far edges of some regions there are two parts or one, whose ratios are
-/// smaller. They are counted because it was measured so: without them maps of 1e6 hits of the project's
-/// scenes are up to 7 % smaller and their squared errors up to 30 % larger.
+/// Of parts that hits fall into by chance, n in all, n times the sum of share (E of the part / E of all -
+/// 1)^2 is v times a chi-squared number with one degree of freedom less than there are parts, v the relative
+/// variance of a hit's light, whatever the parts' shares of the area are. Light that differs between them
+/// only adds, so that the lower quartile tells most of noise. Of one degree its few values are too coarse for
+/// a quartile.
+constexpr std::size_t least_parts = 3;
+constexpr std::array<double, 2> lower_quartile_of_chi_sq = {0.57536, 1.21253};  // of 2 and 3 degrees
+
+/// Estimates of v whose lower quartile is v, from all blocks of three and four parts that are covered alike
+/// and have few hits, so that noise is most of what they differ by. Whatever the texels' size, such blocks
+/// are everywhere.
 std::vector<double> noise_ratios(const LightPyramid& pyramid) {
-    constexpr double least_hits = 16, most_hits = 64;
+    constexpr double least_hits = 16, most_hits = 64, least_share = 0.15;
     std::vector<double> ratios;
     for (std::size_t level = 1; level < pyramid.levels(); ++level)
         for (std::uint32_t y = 0; y < pyramid.height(level); ++y)
@@ -199,16 +207,19 @@ std::vector<double> noise_ratios(const LightPyramid& pyramid) {
                 if (!block.surface.one || block.hits < least_hits || block.hits > most_hits) continue;
                 const double mean = common::mean_component(block.light().surface);
                 double spread = 0;
+                std::size_t parts = 0;
                 bool alike = mean > 0;
                 pyramid.for_children(level, x, y, [&](auto cx, auto cy) {
                     const LightBlock& part = pyramid.block(level - 1, cx, cy);
-                    alike = alike && part.surface.area > 0.2 * block.surface.area;
-                    const double difference = common::mean_component(part.light().surface) - mean;
-                    spread += difference * difference / 4;
+                    const double share = part.surface.area / block.surface.area;
+                    if (share == 0) return;
+                    alike = alike && share > least_share;
+                    const double difference = common::mean_component(part.light().surface) / mean - 1;
+                    spread += share * difference * difference;
+                    ++parts;
                 });
-                // Four independent parts of n / 4 hits: their variance is 4 / n, and 3 / 4 of it is left
-                // around their own mean.
-                if (alike) ratios.push_back(spread / (mean * mean) * block.hits / 3);
+                if (alike && parts >= least_parts)
+                    ratios.push_back(block.hits * spread / lower_quartile_of_chi_sq[parts - least_parts]);
             }
     return ratios;
 }
@@ -229,10 +240,9 @@ LightStatistics light_statistics(std::span<const LightPyramid> pyramids) {
     if (light > 0) statistics.epsilon = 0.01 * (light / area) * (light / area);
     constexpr std::size_t least_ratios = 100;
     if (ratios.size() >= least_ratios) {
-        constexpr double median_of_chi_sq = 2.366 / 3;  // three degrees of freedom, over their mean
-        const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-        std::nth_element(ratios.begin(), middle, ratios.end());
-        statistics.noise_of_a_hit = std::max(*middle / median_of_chi_sq, 1.0);
+        const auto quartile = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 4);
+        std::nth_element(ratios.begin(), quartile, ratios.end());
+        statistics.noise_of_a_hit = std::max(*quartile, 1.0);
     }
     return statistics;
 }

@@ -3,6 +3,7 @@
 import contextlib
 import io
 import json
+import re
 import sys
 import tempfile
 import unittest
@@ -71,13 +72,30 @@ class Figures(unittest.TestCase):
         self.assertEqual(figures.half_of_last_digit("27300"), 50)
 
 
+def own_texts():
+    """All that have a marker, but what is measured anew at will."""
+    folders = [ROOT / name for name in ("results", "bench", "shlm", "photonmap", "common")]
+    texts = [*ROOT.glob("*.md"), *(file for folder in folders for file in sorted(folder.rglob("*.md")))]
+    marked = [file for file in texts if re.search("<!-- (=|copy of )", file.read_text(encoding="utf-8"))]
+    return [file for file in marked if ROOT / "results" / "latest" not in file.parents]
+
+
 class OwnTexts(unittest.TestCase):
     def test_no_figure_is_stale(self):
-        texts = [str(ROOT / "README.md"), str(ROOT / "results" / "README.md")]
+        texts = own_texts()
+        self.assertIn(ROOT / "results" / "models" / "README.md", texts)
         errors = io.StringIO()
         with contextlib.redirect_stderr(errors), contextlib.redirect_stdout(io.StringIO()):
-            self.assertEqual(figures.main(texts), 0, errors.getvalue())
+            self.assertEqual(figures.main([str(file) for file in texts]), 0, errors.getvalue())
         self.assertEqual(errors.getvalue(), "")
+
+    def test_machines_and_commits_are_those_of_the_data(self):
+        text = (ROOT / "results" / "README.md").read_text(encoding="utf-8")
+        table = re.search(r"^\| measured in \| machine \| commit \|\n\|[-|]+\|\n((?:\|.*\n)+)", text, flags=re.MULTILINE)[1]
+        for row in table.splitlines():
+            folder, machine, commit = (cell.strip() for cell in row.strip("|").split("|"))
+            data = [file.read_text(encoding="utf-8") for file in sorted((ROOT / "results" / folder).glob("*.json"))]
+            self.assertTrue(any(f'"machine": "{machine}"' in one and f'"commit": "{commit}' in one for one in data), row)
 
 
 if __name__ == "__main__":

@@ -4,8 +4,8 @@ A figure is followed by a marker that names its file and key, which no reader se
 
     0.87 s<!-- =side-by-side/compare.json rows/[scene=cornell,method=shlm,hits_asked=1e6]/build_seconds -->
 
-FILE is relative to the text's folder, or to results/ beside it. A key is a path through the JSON: names, numbers of list elements, and [NAME=VALUE,...], which
-chooses the one element that has these. A third word says how the number is to be read: % (times 100), ms, us, ns, M (millions),
+FILE is relative to the text's folder, or to results/ beside it. A key is a path through the JSON: names, numbers of list elements, [NAME] for a name with
+slashes, and [NAME=VALUE,...], which chooses the one element that has these. A third word says how the number is to be read: % (times 100), ms, us, ns, M (millions),
 KiB, MiB, GiB, root% (100 times the root of a mean square), /PATH (divided by the number at that path of the same file). The printed number must be the data's, rounded to as many digits as it has.
 
 A part of a text between <!-- copy of FILE --> and <!-- end of copy --> must be in FILE word for word.
@@ -22,7 +22,7 @@ import sys
 from functools import lru_cache
 from pathlib import Path
 
-NUMBER = r"(\d[\d,]*(?:\.\d+)?(?:e[+-]?\d+)?)"
+NUMBER = r"((?:(?<![\w.)])[-+])?\d[\d,]*(?:\.\d+)?(?:e[+-]?\d+)?)"
 MARKER = re.compile(NUMBER + r"([^<>\d]{0,24})<!-- =(\S+) (.+?) -->")  # the last number before it
 COPY = re.compile(r"<!-- copy of (\S+) -->\n(.*?)<!-- end of copy -->", re.DOTALL)
 UNITS = {"": 1.0, "%": 100.0, "ms": 1e3, "us": 1e6, "ns": 1e9, "M": 1e-6, "KiB": 2.0**-10, "MiB": 2.0**-20, "GiB": 2.0**-30}
@@ -56,12 +56,14 @@ def chosen(elements, condition):
 
 
 def steps_of(path):
-    """rows/[method=a/b]/x -> rows, [method=a/b], x: brackets may hold slashes."""
+    """rows/[method=a/b]/[c/d]/x -> rows, [method=a/b], [c/d], x: brackets may hold slashes."""
     return re.findall(r"\[[^\]]*\]|[^/\[\]]+", path)
 
 
 def value_at(data, path):
     for step in steps_of(path):
+        if step.startswith("[") and "=" not in step:
+            step = step[1:-1]
         if step.startswith("["):
             data = chosen(data, step[1:-1])
         elif isinstance(data, list):
@@ -74,18 +76,17 @@ def value_at(data, path):
 
 
 def value_of(data, words):
-    """Of PATH, or PATH UNIT."""
-    path, *unit = words.split(" ")
+    """Of PATH, or PATH UNIT: names in a path may have spaces."""
+    path, _, unit = words.rpartition(" ")
+    if not (unit in UNITS or unit == "root%" or unit.startswith("/")):
+        path, unit = words, ""
     value = value_at(data, path)
     if not isinstance(value, (int, float)):
         raise StaleFigure(f"{path} is no number")
-    unit = unit[0] if unit else ""
     if unit == "root%":
         return 100 * math.sqrt(value)
     if unit.startswith("/"):
         return value / value_at(data, unit[1:])
-    if unit not in UNITS:
-        raise StaleFigure(f"{unit} is no unit")
     return value * UNITS[unit]
 
 

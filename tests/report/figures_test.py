@@ -15,7 +15,7 @@ sys.path.insert(0, str(ROOT / "bench"))
 
 from report import figures
 
-DATA = {"rows": [{"method": "shlm/L2", "hits": 1000000, "seconds": 0.0234, "error": 0.0025}, {"method": "photonmap", "hits": 1000000, "seconds": 0.0468}]}
+DATA = {"rows": [{"method": "shlm/L2", "hits": 1000000, "seconds": 0.0234, "error": 0.0025}, {"method": "photonmap", "hits": 1000000, "seconds": 0.0468, "by": {"a/b": -0.5, "c d": 0.25}}]}
 
 
 class Figures(unittest.TestCase):
@@ -38,6 +38,12 @@ class Figures(unittest.TestCase):
 
     def test_a_marker_belongs_to_the_last_number_before_it(self):
         self.assertEqual(self.problems("Of rooms 1 to 24, 1000000<!-- =data.json rows/0/hits --> hits."), [])
+
+    def test_signs_count(self):
+        marker = "<!-- =data.json rows/1/by/[a/b] -->"
+        self.assertEqual(self.problems(f"It is -0.5{marker}."), [])
+        self.assertEqual(self.problems("It is 25 %<!-- =data.json rows/1/by/c d % -->."), [])
+        self.assertEqual(len(self.problems(f"It is 0.5{marker}, +0.5{marker}, 1-0.5{marker}.")), 3)
 
     def test_squares_are_read_as_errors(self):
         self.assertEqual(self.problems("5 %<!-- =data.json rows/0/error root% -->"), [])

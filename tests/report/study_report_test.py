@@ -63,6 +63,7 @@ class Reports(Folder):
         self.assertEqual([t["degrees"][0] for t in tilted], [0, 10, 20, 30, 40, 50, 60])
         text = (self.folder / "report.md").read_text(encoding="utf-8")
         self.assertIn("| 250\u00a0ms | 3\u00a0MiB |", text)  # once a scene
+        self.assertIn("## Who reaches an error first", text)
         for name in (
             "time-methods",
             "bytes-shlm",

@@ -65,6 +65,7 @@ class Reports(Folder):
         self.assertIn("| 250\u00a0ms | 3\u00a0MiB |", text)  # once a scene
         self.assertIn("## Who reaches an error first", text)
         for name in (
+            "best",
             "time-methods",
             "bytes-shlm",
             "hits-photonmap",

@@ -6,6 +6,7 @@ Prints who reaches each target first, a line per scene.
 import json
 import sys
 
+from report.study.best_chart import best_against_time
 from report.study.charts import error_against_bytes, error_against_hits, error_against_time, gather_against_hits
 from report.study.curves import curves_of
 from report.study.data import Study, StudyError
@@ -48,6 +49,8 @@ def charts(report):
         report.styles,
         report.words,
     )
+    title = "The least error within a time"
+    yield "best", title, best_against_time(curves, title, words)
     main_groups = {group: names for group, names in report.groups.items() if group != "texels"}
     texels = report.groups.get("texels", [])
     for group, names in main_groups.items():

@@ -18,6 +18,7 @@ REPORTS = {  # module, arguments, what it makes
     "stability": ("report.stability_charts", "FOLDER", "charts of FOLDER/stability.json"),
     "billion-figure": ("report.claims.billion_figure", "FOLDER", "figure.png: the atrium at a billion hits"),
     "figures": ("report.figures", "[--write] TEXT.md...", "whether the figures of texts are those of their data; --write puts these in"),
+    "page": ("report.page.page", "OUT.html FOLDER...", "one page of all results, to be opened by double click"),
     "elsewhere": ("report.elsewhere.report", "PROGRAM...", "the methods on scenes that others made; --help says the rest"),
 }
 

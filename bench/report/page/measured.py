@@ -1,0 +1,90 @@
+"""How it was measured, in one screen: each part by itself, since parts of other machines or commits are not joined."""
+
+from report.page.markup import details, joined, link, table, tag
+from report.page.words import date_text, plural
+from report.text import bytes_text
+
+NOT_RECORDED = "not recorded"
+SETTINGS = ("instruction_set", "instructions", "isa")  # names that a context may have for it
+
+
+def instructions_text(context):
+    """What the machine's instruction set was, as far as the results say."""
+    named = next((str(context[key]) for key in SETTINGS if key in context), None)
+    flags = str(context.get("flags", ""))
+    built = next((flag for flag in flags.split() if flag.startswith("-march=")), None)
+    return named or (f"{NOT_RECORDED}; built with {built}" if built else NOT_RECORDED)
+
+
+def seeds_text(source):
+    """Seeds or repetitions, from the context or the rows."""
+    document = source.document
+    if isinstance(document, dict) and "scenes" in document and "definitions" in document:
+        seeds = {p["seeds"] for s in document["scenes"].values() for m in s["methods"].values() for p in m}
+        return plural(max(seeds), "seed") if len(seeds) == 1 else f"{min(seeds)} to {max(seeds)} seeds"
+    context = source.context
+    parts = [f"{key} {context[key]}" for key in ("seed", "repetitions") if key in context]
+    rows = document.get("rows") if isinstance(document, dict) else None
+    if not parts and rows and "seeds" in rows[0]:
+        parts = [f"{max(r['seeds'] for r in rows)} seeds a case"]
+    return ", ".join(parts) or NOT_RECORDED
+
+
+def libraries_text(context):
+    return ", ".join(f"{name} {version}" for name, version in context.get("libraries", {}).items()) or NOT_RECORDED
+
+
+def memory_text(context):
+    memory = context.get("memory_bytes")
+    return f"{context.get('cores', '?')} cores, {bytes_text(memory)}" if memory else NOT_RECORDED
+
+
+def row(results, part, source):
+    context = source.context
+    return (
+        link(results.link(source.file), part),
+        context.get("machine", NOT_RECORDED),
+        instructions_text(context),
+        memory_text(context),
+        str(context.get("threads", NOT_RECORDED)),
+        str(context.get("commit", NOT_RECORDED)),
+        date_text(context.get("date")),
+        context.get("compiler", NOT_RECORDED),
+        seeds_text(source),
+    )
+
+
+HEADS = ("results", "machine", "instruction set", "cores, memory", "threads", "commit", "date", "compiler", "seeds, repetitions")
+
+
+def parts(results):
+    """(name, source), every file of results that says how it was made."""
+    found = []
+    for name, sources in (("study", results.studies), ("comparison", results.comparisons), ("limit", results.limits), ("stability", results.stability), ("bases", results.bases), ("fit", results.fits), ("promise", results.promises)):
+        for source in sources:
+            if isinstance(source.document, dict) and "context" in source.document:
+                where = source.file.stem if name == "limit" else "/".join(source.file.parts[-3:-1]) if name == "fit" else source.name
+                found.append((f"{name} {where}" if where != name else name, source))
+    return found
+
+
+def charted_words(results):
+    if not results.study:
+        return "No study is charted here."
+    others = [s.name for s in results.studies if s is not results.study]
+    more = f" Other studies here are not joined to it: {', '.join(others)}." if others else ""
+    return f"The charts and the chooser above are of one study, {results.study.name}.{more}"
+
+
+def section(results):
+    found = parts(results)
+    context = (results.study or found[0][1]).context if found else {}
+    definition = results.study.document.get("definitions", {}).get("metric", "") if results.study else ""
+    return joined(
+        [
+            tag("p", charted_words(results)),
+            table(HEADS, [row(results, name, source) for name, source in found]),
+            tag("p", f"Flags: {context.get('flags', NOT_RECORDED)}. Libraries: {libraries_text(context)}. Settings: {context.get('settings', NOT_RECORDED)}."),
+            details("what an error is, exactly", tag("p", definition)) if definition else None,
+        ]
+    )

@@ -1,0 +1,199 @@
+"""Pictures to compare: reference, light map, photon map, their differences and FLIP maps.
+
+A study has a picture of each method's first seed at the reference's own points, all of one exposure, and its FLIP map beside it. They lie among the
+raw answers, which the repository leaves out; so the page keeps those that it shows in STUDY/images/page, with what they are in pictures.json.
+"""
+
+import json
+import shutil
+from dataclasses import dataclass
+
+from report.compare.comparison import Comparison
+from report.page.find import read_json
+from report.page.markup import joined, tag
+from report.page.quantities import percent_text
+from report.page.words import family_text, origin_text
+from report.study.images import BUDGET_HITS, TOLERANCE
+from report.study.methods import LIGHT_MAP, REFERENCE_PHOTON_MAP
+from report.text import bytes_text, hits_text, number_text, seconds_text
+
+COSTS = {"time": (lambda r: r.seconds, seconds_text), "bytes": (lambda r: r.bytes, bytes_text)}
+FAMILIES = {"light-map": LIGHT_MAP, "photon-map": "photonmap"}
+KEPT = "images/page"
+MADE_BY = "Pictures are kept when the page is made beside a study's raw answers: ./reproduce does that."
+
+
+def row_entry(study, row):
+    return {
+        "method": row.method,
+        "hits": row.hits,
+        "error": row.error,
+        "bytes": row.bytes,
+        "seconds": row.seconds,
+        "flip": row.flip,
+        "family": family_text(study.family(row.method)),
+    }
+
+
+def answers_by_run(study):
+    """(scene, method, hits asked) -> file of the first seed's answers."""
+    document = read_json(study.source.folder / "study.json") if (study.source.folder / "study.json").exists() else {"rows": []}
+    return {(r["scene"], r["method"], r["hits_asked"]): study.source.folder / r["answers"] for r in document["rows"] if r.get("seed") == 1 and "answers" in r}
+
+
+def picture_files(answers):
+    """(picture, FLIP map) beside the answers of a run, as shlmbench study names them."""
+    size = answers.stem.rsplit("-", 1)[0]
+    return answers.with_name(f"{size}.png"), answers.with_name(f"{size}-flip.png")
+
+
+def budgets(study, scene):
+    """What the reference photon map pays for about a million hits, in time and in bytes."""
+    rows = [r for r in study.rows if r.scene == scene and r.method == REFERENCE_PHOTON_MAP]
+    if not rows:
+        return {}
+    row = min(rows, key=lambda r: abs(r.hits - BUDGET_HITS))
+    return {kind: cost_of(row) for kind, (cost_of, _) in COSTS.items()}
+
+
+def best_within(rows, cost_of, limit):
+    return min((r for r in rows if r.error and cost_of(r) <= TOLERANCE * limit), key=lambda r: r.error, default=None)
+
+
+def chosen_runs(study, scene, answers):
+    """kind of budget -> (limit, role -> Row): the most accurate run of each family within it that has a picture."""
+    made = {}
+    for kind, limit in budgets(study, scene).items():
+        with_picture = [r for r in study.rows if r.scene == scene and (file := answers.get((scene, r.method, r.hits_asked))) and all(p.exists() for p in picture_files(file))]
+        found = {role: best_within([r for r in with_picture if study.family(r.method) == family], COSTS[kind][0], limit) for role, family in FAMILIES.items()}
+        if all(found.values()):
+            made[kind] = (limit, found)
+    return made
+
+
+def keep(study):
+    """Copies what the page shows out of the raw answers, where they are; else nothing is changed."""
+    answers, sets, folder = answers_by_run(study), [], study.source.folder
+    kept = folder / KEPT
+    for scene in study.scenes:
+        reference = folder / "raw" / scene / "reference.png"
+        runs = chosen_runs(study, scene, answers) if reference.exists() else {}
+        for kind, (limit, found) in runs.items():
+            entry = {"scene": scene, "within": kind, "limit": limit, "reference": f"{scene}-reference.png", "reference_error": study.reference_error(scene), "runs": {}}
+            copy(reference, kept / entry["reference"])
+            for role, row in found.items():
+                picture, flip = picture_files(answers[scene, row.method, row.hits_asked])
+                names = [f"{scene}-{kind}-{role}.png", f"{scene}-{kind}-{role}-flip.png"]
+                copy(picture, kept / names[0])
+                copy(flip, kept / names[1])
+                entry["runs"][role] = {**row_entry(study, row), "picture": names[0], "flip_map": names[1]}
+            sets.append(entry)
+    if sets:
+        document = {"commit": study.context.get("commit"), "sets": sets}
+        (kept / "pictures.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
+
+
+def copy(source, target):
+    target.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(source, target)
+
+
+@dataclass(frozen=True)
+class Item:
+    role: str
+    title: str
+    file: str  # relative to the page
+    words: str
+
+
+@dataclass(frozen=True)
+class Set:
+    scene: str
+    title: str
+    items: tuple
+    flips: dict  # role -> file
+
+
+def run_words(run):
+    flip = f", FLIP {number_text(run['flip'])}" if run.get("flip") is not None else ""
+    return f"{run['method']}, {hits_text(run['hits'])} hits: error {percent_text(run['error'])}{flip}, {bytes_text(run['bytes'])}, {seconds_text(run['seconds'])}"
+
+
+def kept_sets(results, study):
+    """Of this study's commit only."""
+    file = study.source.folder / KEPT / "pictures.json"
+    if not file.exists() or (document := read_json(file))["commit"] != study.context.get("commit"):
+        return []
+    made = []
+    for entry in document["sets"]:
+        at = lambda name: results.link(file.parent / name)
+        words = f"path traced, its own error {percent_text(entry['reference_error'])}"
+        items = [Item("reference", "reference", at(entry["reference"]), words)]
+        items += [Item(role, run["family"], at(run["picture"]), run_words(run)) for role, run in entry["runs"].items()]
+        limit = COSTS[entry["within"]][1](entry["limit"])
+        made.append(Set(entry["scene"], f"within the same {entry['within']}, {limit}", tuple(items), {role: at(run["flip_map"]) for role, run in entry["runs"].items()}))
+    return made
+
+
+def comparison_sets(results, source):
+    """Large pictures, at each method's most hits, without a reference of their size."""
+    comparison, made = Comparison(source.folder), []
+    names = [comparison.light_map, *(m for m in comparison.methods if comparison.engine(m) and m != comparison.light_map)]
+    for scene in comparison.scenes:
+        items = []
+        for role, candidates in (("light-map", names[:1]), ("photon-map", names[1:])):
+            for method in candidates:
+                file, rows = source.folder / "images" / f"{scene}-{method.replace('/', '-')}.png", comparison.series(scene, method)
+                if rows and file.exists():
+                    row = rows[-1]
+                    words = f"{method}, {hits_text(row['hits'])} hits: {bytes_text(row['bytes'])}; its error was not measured in this run"
+                    items.append(Item(role, role.replace("-", " "), results.link(file), words))
+                    break
+        if len(items) == 2:
+            made.append(Set(scene, f"large, {source.name}", tuple(items), {}))
+    return made
+
+
+def image(file, words):
+    return tag("img", src=file, alt=words, loading="lazy", decoding="async")
+
+
+def shown(title, picture, words, role):
+    return tag("figure", tag("div", picture, cls="picture"), tag("figcaption", tag("b", title), " ", words), data_role=role)
+
+
+def strip(one):
+    """Beside each other: the pictures, and of each but the reference its difference and its FLIP map."""
+    figures = []
+    first = one.items[0]
+    for item in one.items:
+        figures.append(shown(item.title, image(item.file, f"{one.scene}, {item.title}: {item.words}"), item.words, item.role))
+        if first.role == "reference" and item is not first:
+            both = joined([image(first.file, "reference"), image(item.file, f"{item.title} less the reference")])
+            figures.append(tag("figure", tag("div", both, cls="picture difference"), tag("figcaption", tag("b", "difference"), f" of {item.title} and reference, four times as bright")))
+        if flip := one.flips.get(item.role):
+            figures.append(shown("FLIP", image(flip, f"FLIP map of the {item.title}"), f" of the {item.title}: bright where eyes see the error", None))
+    return tag("div", tag("h3", f"{one.scene}, {one.title}"), tag("div", *figures, cls="strip"), cls="pictures", data_scene=one.scene, data_title=one.title)
+
+
+def sets_of(results, study):
+    sets = kept_sets(results, study) if study else []
+    for source in results.comparisons:
+        sets += comparison_sets(results, source)
+    return sets
+
+
+WORDS = (
+    "Small pictures: the first seed's irradiance at the reference's 96 by 54 points, as grey-lit surfaces, one exposure for a scene. Shown is the most accurate run "
+    "of each map within the budget. Large pictures: the whole image with materials, at each map's most hits, without a reference."
+)
+
+
+def section(results, study):
+    if study:
+        keep(study)
+    sets = sets_of(results, study)
+    if not sets:
+        return tag("p", MADE_BY)
+    origins = [tag("p", f"{s.name}: {origin_text(s.context)}.", cls="origin") for s in ([study.source] if study else []) + results.comparisons]
+    return joined([tag("p", WORDS), tag("div", id="viewer", cls="script-only"), tag("div", *map(strip, sets), id="strips"), *origins])

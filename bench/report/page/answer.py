@@ -78,7 +78,7 @@ def bytes_line(study):
     if not pairs:
         return ""
     ratios = sorted(photon.bytes / light.bytes for light, photon in pairs)
-    span = " to ".join(dict.fromkeys(number_text(r, 2) for r in (ratios[0], ratios[-1])))
+    span = " to ".join(dict.fromkeys(f"{r:.0f}" if r >= 100 else number_text(r, 2) for r in (ratios[0], ratios[-1])))
     return f"At {hits_text(most)} hits that photon map takes {span} times the light map's bytes."
 
 

@@ -88,11 +88,20 @@ def claim_row(results, verdicts, row):
     )
 
 
+BECAME = {  # of one claim, of several
+    "confirmed": ("holds", "hold"),
+    "conditional": ("holds under a condition", "hold under a condition"),
+    "refuted": ("fails", "fail"),
+    "not decided": ("is not decided yet", "are not decided yet"),
+}
+
+
 def finding_text(rows):
     """One sentence."""
-    counts = {verdict: sum(row["verdict"] == verdict for row in rows) for verdict in SYMBOLS}
-    words = {"confirmed": "hold", "conditional": "hold under a condition", "refuted": "fail", "not decided": "are not decided yet"}
-    said = [f"{counts[verdict] or 'none'} {text}" for verdict, text in words.items()]
+    said = []
+    for verdict, (one, several) in BECAME.items():
+        count = sum(row["verdict"] == verdict for row in rows)
+        said.append(f"{count or 'none'} {one if count < 2 else several}")
     return f"Of the paper's {len(rows)} claims {listed(said)}."
 
 

@@ -51,6 +51,7 @@ class Results:
     fits: list = field(default_factory=list)
     promises: list = field(default_factory=list)
     histories: list = field(default_factory=list)
+    elsewhere: list = field(default_factory=list)
 
     def link(self, path):
         """From the page."""
@@ -70,7 +71,7 @@ class Results:
 
     @property
     def is_empty(self):
-        parts = (self.verdicts, self.studies, self.comparisons, self.stability, self.bases, self.fits, self.promises, self.histories)
+        parts = (self.verdicts, self.studies, self.comparisons, self.stability, self.bases, self.fits, self.promises, self.histories, self.elsewhere)
         return not any(parts)
 
 
@@ -87,6 +88,7 @@ PLACES = {  # part -> files of one folder
     "bases": "bases.json",
     "fits": "fit/*/*/fit.json",
     "promises": "promise/promise.json",
+    "elsewhere": "elsewhere.json",
 }
 NEEDED = {"studies": "scenes", "comparisons": "rows", "stability": "rows"}  # what a part cannot do without
 

@@ -60,7 +60,7 @@ HEADS = ("results", "machine", "instruction set", "cores, memory", "threads", "c
 def parts(results):
     """(name, source), every file of results that says how it was made."""
     found = []
-    for name, sources in (("study", results.studies), ("comparison", results.comparisons), ("limit", results.limits), ("stability", results.stability), ("bases", results.bases), ("fit", results.fits), ("promise", results.promises)):
+    for name, sources in (("study", results.studies), ("comparison", results.comparisons), ("limit", results.limits), ("stability", results.stability), ("bases", results.bases), ("fit", results.fits), ("promise", results.promises), ("elsewhere", results.elsewhere)):
         for source in sources:
             if isinstance(source.document, dict) and "context" in source.document:
                 where = source.file.stem if name == "limit" else "/".join(source.file.parts[-3:-1]) if name == "fit" else source.name
@@ -76,6 +76,16 @@ def charted_words(results):
     return f"The charts and the chooser above are of one study, {results.study.name}.{more}"
 
 
+REPORTS = ("report.md", "stability.md", "bases.md", "fit.md", "model-bytes.md", "crosscheck.md", "verdicts.md", "promise/promise.md")
+
+
+def reports(results):
+    """Links to what people have in words."""
+    there = [folder / name for folder in results.folders for name in REPORTS if (folder / name).is_file()]
+    words = [link(results.link(path), f"{path.parent.resolve().name}/{path.name}") for path in there]
+    return tag("p", "Reports: ", joined(words, ", "), ".") if words else None
+
+
 def section(results):
     found = parts(results)
     context = (results.study or found[0][1]).context if found else {}
@@ -85,6 +95,7 @@ def section(results):
             tag("p", charted_words(results)),
             table(HEADS, [row(results, name, source) for name, source in found]),
             tag("p", f"Flags: {context.get('flags', NOT_RECORDED)}. Libraries: {libraries_text(context)}. Settings: {context.get('settings', NOT_RECORDED)}."),
+            reports(results),
             details("what an error is, exactly", tag("p", definition)) if definition else None,
         ]
     )

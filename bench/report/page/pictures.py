@@ -135,22 +135,24 @@ def kept_sets(results, study):
     return made
 
 
+def large_item(results, comparison, scene, role, methods):
+    """Of the first of these methods that has a picture; engines of a photon map find the same photons."""
+    for method in methods:
+        file, rows = comparison.folder / "images" / f"{scene}-{method.replace('/', '-')}.png", comparison.series(scene, method)
+        if rows and file.exists():
+            words = f"{method}, {hits_text(rows[-1]['hits'])} hits: {bytes_text(rows[-1]['bytes'])}; its error was not measured in this run"
+            return Item(role, role.replace("-", " "), results.link(file), words)
+    return None
+
+
 def comparison_sets(results, source):
     """Large pictures, at each method's most hits, without a reference of their size."""
     comparison, made = Comparison(source.folder), []
-    names = [comparison.light_map, *(m for m in comparison.methods if comparison.engine(m) and m != comparison.light_map)]
+    photon_maps = [m for m in comparison.methods if comparison.engine(m)]
     for scene in comparison.scenes:
-        items = []
-        for role, candidates in (("light-map", names[:1]), ("photon-map", names[1:])):
-            for method in candidates:
-                file, rows = source.folder / "images" / f"{scene}-{method.replace('/', '-')}.png", comparison.series(scene, method)
-                if rows and file.exists():
-                    row = rows[-1]
-                    words = f"{method}, {hits_text(row['hits'])} hits: {bytes_text(row['bytes'])}; its error was not measured in this run"
-                    items.append(Item(role, role.replace("-", " "), results.link(file), words))
-                    break
-        if len(items) == 2:
-            made.append(Set(scene, f"large, {source.name}", tuple(items), {}))
+        items = (large_item(results, comparison, scene, "light-map", [comparison.light_map]), large_item(results, comparison, scene, "photon-map", photon_maps))
+        if all(items):
+            made.append(Set(scene, f"large, {source.name}", items, {}))
     return made
 
 
@@ -176,6 +178,17 @@ def strip(one):
     return tag("div", tag("h3", f"{one.scene}, {one.title}"), tag("div", *figures, cls="strip"), cls="pictures", data_scene=one.scene, data_title=one.title)
 
 
+def billion(results):
+    """The largest picture there is, where it was made."""
+    made = []
+    for folder in results.folders:
+        for file in sorted((folder / "figure").glob("*.jpg")):
+            context = results.context_of(folder.resolve().name)
+            words = f"{folder.name}: as many hits as memory holds, light map beside photon map" + (f" ({origin_text(context)})" if context else "")
+            made.append(tag("figure", tag("a", image(results.link(file), words), href=results.link(file)), tag("figcaption", f"{words}; ", tag("a", "its report", href=results.link(folder / "report.md")), "."), cls="large"))
+    return joined(made)
+
+
 def sets_of(results, study):
     sets = kept_sets(results, study) if study else []
     for source in results.comparisons:
@@ -194,6 +207,6 @@ def section(results, study):
         keep(study)
     sets = sets_of(results, study)
     if not sets:
-        return tag("p", MADE_BY)
+        return joined([tag("p", MADE_BY), billion(results)])
     origins = [tag("p", f"{s.name}: {origin_text(s.context)}.", cls="origin") for s in ([study.source] if study else []) + results.comparisons]
-    return joined([tag("p", WORDS), tag("div", id="viewer", cls="script-only"), tag("div", *map(strip, sets), id="strips"), *origins])
+    return joined([tag("p", WORDS), tag("div", id="viewer", cls="script-only"), tag("div", *map(strip, sets), id="strips"), *origins, billion(results)])

@@ -1,0 +1,399 @@
+"""The results page without a browser: its rows, points, targets, words, and that it holds together. page_browser_test.py opens it."""
+
+import contextlib
+import io
+import json
+import math
+import re
+import shutil
+import sys
+import tempfile
+import unittest
+from html.parser import HTMLParser
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
+
+import page_results
+from page_results import HOSTILE, METHODS, NEAREST, RADIUS, SCENES, SHLM, SIZES, SMALL
+from report.claims.judging import verdict_of
+from report.page import answer, chooser, history, page, pictures, plain, stability
+from report.page.find import find
+from report.page.quantities import COSTS, ERRORS
+from report.page.rows import StudyRows
+from report.page.theory import fronts
+
+LONGEST_SENTENCE = 40  # words
+
+
+class Reader(HTMLParser):
+    """What elements there are, with their text."""
+
+    def __init__(self, text):
+        super().__init__(convert_charrefs=True)
+        self.elements, self.texts, self._at = [], {}, -1
+        self.feed(text)
+
+    def handle_starttag(self, name, attributes):
+        self.elements.append((name, dict(attributes)))
+        self._at = len(self.elements) - 1
+
+    def handle_data(self, text):
+        self.texts[self._at] = self.texts.get(self._at, "") + text
+
+    def all(self, name):
+        return [attributes for found, attributes in self.elements if found == name]
+
+    def text_of(self, identity):
+        return next(self.texts.get(i, "") for i, (_, a) in enumerate(self.elements) if a.get("id") == identity)
+
+
+def run(*arguments):
+    """(exit code, stdout, stderr)"""
+    out, errors = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
+        code = page.main([str(a) for a in arguments])
+    return code, out.getvalue(), errors.getvalue()
+
+
+class WithResults(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.temporary.cleanup)
+        cls.root = page_results.write_results(Path(cls.temporary.name) / "results")
+        cls.out = cls.root / "index.html"
+        cls.done = run(cls.out, cls.root)
+        cls.results = find(cls.out, [cls.root])
+        cls.study = StudyRows(cls.results.study)
+        cls.text = cls.out.read_text(encoding="utf-8")
+        cls.reader = Reader(cls.text)
+        cls.data = json.loads(cls.reader.text_of("data"))
+
+    def row(self, scene, method, hits):
+        return next(r for r in self.study.rows if (r.scene, r.method, r.hits_asked) == (scene, method, hits))
+
+
+class Rows(WithResults):
+    def test_each_run_of_the_study_is_a_row(self):
+        wanted = {(s, m, h) for s in SCENES for m in METHODS for h in SIZES}
+        self.assertEqual({(r.scene, r.method, r.hits_asked) for r in self.study.rows}, wanted)
+        self.assertEqual(len(self.study.rows), len(wanted))
+        self.assertEqual([r.number for r in self.study.rows], list(range(len(wanted))))
+
+    def test_errors_are_relative_rms_in_per_cent(self):
+        summary = json.loads((self.root / "study" / "summary.json").read_text())
+        for row in self.study.rows:
+            point = next(p for p in summary["scenes"][row.scene]["methods"][row.method] if p["hits_asked"] == row.hits_asked)
+            self.assertAlmostEqual(row.error, 100 * math.sqrt(point["error"]), places=9)
+            self.assertAlmostEqual(row.noise, 100 * math.sqrt(point["variance"]), places=9)
+            self.assertAlmostEqual(row.bias, 100 * math.sqrt(max(0, point["bias_sq"])), places=9)
+            self.assertAlmostEqual(row.error_band[1], 100 * math.sqrt(point["error_band"][1]), places=9)
+
+    def test_errors_are_those_of_the_law(self):
+        """900 values a seed: the mean square is sure to 20 %."""
+        law = METHODS[RADIUS]
+        for hits in SIZES:
+            wanted = law.variance(hits) + law.bias_sq(hits)
+            self.assertAlmostEqual(self.row("cornell", RADIUS, hits).error ** 2 / 1e4 / wanted, 1, delta=0.2)
+
+    def test_bytes_and_seconds(self):
+        row = self.row("cornell", NEAREST, 100_000)
+        self.assertEqual((row.bytes, row.working), (73e5, 146e5))
+        self.assertAlmostEqual(row.seconds, 0.11, delta=0.01)
+
+    def test_the_script_has_the_same_rows(self):
+        charts = self.data["charts"]
+        for values, row in zip(charts["rows"], self.study.rows, strict=True):
+            found = dict(zip(charts["columns"], values))
+            self.assertEqual((found["scene"], charts["methods"][found["method"]]["name"]), (row.scene, row.method))
+            for name in ("error", "bias", "noise", "flip", "seconds", "bytes", "working", "hits"):
+                self.assertAlmostEqual(found[name], getattr(row, name), delta=1e-5 * getattr(row, name))
+
+
+class Charts(WithResults):
+    def places(self):
+        """number of the row -> (x, y) of its marker."""
+        found = re.findall(r'<g id="p(\d+)" class="point".*?<use href="[^"]*" x="([^"]*)" y="([^"]*)"', self.text)
+        return {int(number): (float(x), float(y)) for number, x, y in found}
+
+    def axis(self, key):
+        """[(label, x or y)] of the ticks"""
+        group = re.search(rf'<g id="axis-{key}".*?</g>', self.text).group()
+        return re.findall(r'<text x="([^"]*)" y="([^"]*)" text-anchor="[a-z]*">([^<]*)</text>', group)
+
+    def test_points_are_rows(self):
+        self.assertEqual(sorted(self.places()), [r.number for r in self.study.rows])
+
+    def test_points_lie_where_the_axes_say(self):
+        """Against the words on the axes alone: 100 ms and 1 s, 2 % and 20 %."""
+        along = {label.replace("\u00a0", " "): float(x) for x, _, label in self.axis("seconds")}
+        up = {label.replace("\u00a0", " "): y for y, label in self.grid_of("error")}
+        for number, (x, y) in self.places().items():
+            row = self.study.rows[number]
+            wanted_x = along["100 ms"] + (along["1 s"] - along["100 ms"]) * math.log10(row.seconds / 0.1)
+            wanted_y = up["2 %"] + (up["20 %"] - up["2 %"]) * math.log10(row.error / 2)
+            self.assertAlmostEqual(x, wanted_x, delta=0.1)
+            self.assertAlmostEqual(y, wanted_y, delta=0.1)
+
+    def grid_of(self, key):
+        """The lines of a vertical axis with their words, bottom first."""
+        group = re.search(rf'<g id="axis-{key}".*?</g>', self.text).group()
+        lines = [float(y) for y in re.findall(r'<path d="M [\d.]+ ([\d.]+) L', group)]
+        words = [label for _, _, label in self.axis(key)]
+        return list(zip(lines, words))
+
+    def test_nobody_beats_the_front(self):
+        for cost in COSTS:
+            for error in ERRORS:
+                for scene in SCENES:
+                    rows = [r for r in self.study.rows if r.scene == scene and error.of(r)]  # a bias that is lost in the noise is none
+                    better = lambda a, b: cost.of(a) <= cost.of(b) and error.of(a) < error.of(b) or cost.of(a) < cost.of(b) and error.of(a) <= error.of(b)
+                    wanted = {r.number for r in rows if not any(better(other, r) for other in rows)}
+                    self.assertEqual(set(fronts(self.study)[f"{cost.key}/{error.key}"][scene]), wanted)
+
+    def test_what_is_not_of_the_best_is_grey(self):
+        names = [m["name"] for m in self.data["charts"]["methods"]]
+        found = re.findall(r'<g class="(series[ a-z]*)" data-method="(\d+)"', self.text) or [(c, m) for m, c in re.findall(r'data-method="(\d+)" class="(series[ a-z]*)"', self.text)]
+        self.assertEqual(len(found), len(METHODS) * len(SCENES))
+        for words, method in found:
+            self.assertEqual("dim" not in words, names[int(method)] in self.study.best_known)
+        self.assertLess(len(self.study.best_known), len(METHODS))
+
+    def test_theory_halves_the_slope_of_the_square(self):
+        ghosts = {g["method"]: g for g in self.data["charts"]["ghosts"]["cornell"]["hits"]}
+        self.assertEqual((ghosts[SMALL]["slope"], ghosts[NEAREST]["slope"]), (-0.5, 0))
+        (first, above), (last, below) = ghosts[SMALL]["line"]
+        self.assertAlmostEqual(math.log(above / below) / math.log(last / first), 0.5)
+
+
+class Choosing(WithResults):
+    def by_hand(self, scene, family, target, cost):
+        """The cheapest within the target; the most accurate where there is none."""
+        rows = [r for r in self.study.rows if r.scene == scene and r.method.startswith(family)]
+        within = sorted((getattr(r, cost), r.error, r.number) for r in rows if r.error <= target)
+        return (True, within[0][2]) if within else (False, min((r.error, r.number) for r in rows)[1])
+
+    def test_the_cheapest_of_each_family(self):
+        reached = set()
+        for scene in SCENES:
+            for cost in ("seconds", "bytes"):
+                for target in (30, 10, 5, 2, 0.5):
+                    found = {o.family: (o.reached, o.row.number) for o in chooser.offers(self.study, scene, target, cost)}
+                    wanted = {family: self.by_hand(scene, family, target, cost) for family in ("shlm", "photonmap")}
+                    self.assertEqual(found, wanted)
+                    reached |= {done for done, _ in found.values()}
+        self.assertEqual(reached, {True, False})
+
+    def test_the_first_one_is_the_cheapest(self):
+        first, second = chooser.offers(self.study, "cornell", 30, "seconds")
+        self.assertLessEqual(first.row.seconds, second.row.seconds)
+
+    def test_what_is_out_of_reach_says_how_near_it_came(self):
+        offers = chooser.offers(self.study, "cornell", 0.5, "seconds")
+        cells = chooser.offer_cells(self.study, "cornell", offers, offers[0], "seconds")
+        self.assertIn("not reached up to 1\u00a0M hits: best is", cells[2])
+        self.assertEqual(cells[-1], "")
+
+    def test_commands_name_method_hits_and_texels(self):
+        self.assertEqual(
+            chooser.command(self.study, self.row("bumpy", RADIUS, 100_000)),
+            f"build/release/shlmbench render build/release/scenes/bumpy.glb --method {RADIUS} --hits 1e5 --out picture.exr",
+        )
+        self.assertIn("--texels 100 ", chooser.command(self.study, self.row("bumpy", SHLM, 100_000)))
+        self.assertNotIn("--texels", chooser.command(self.study, self.row("bumpy", SMALL, 100_000)))
+
+    def test_hits_as_a_word(self):
+        self.assertEqual([chooser.hits_word(h) for h in (10_000, 10**8, 3 * 10**5, 123_456, 10**10)], ["1e4", "1e8", "3e5", "123456", "1e10"])
+
+
+class Words(WithResults):
+    def test_five_lines_are_printed(self):
+        code, out, errors = self.done
+        self.assertEqual((code, errors), (0, ""))
+        lines = out.splitlines()
+        self.assertEqual(lines[:5], answer.lines(self.results, self.study))
+        self.assertEqual(lines[5:], ["", str(self.out)])
+        self.assertEqual(lines[0], "Of the paper's 4 claims 1 holds, 1 holds under a condition, 1 fails and 1 is not decided yet.")
+
+    def test_who_is_first_is_who_is_cheapest(self):
+        line = answer.first_line(self.study)
+        for scene in SCENES:
+            rows = [r for r in self.study.rows if r.scene == scene and r.error <= 5]
+            first = min(rows, key=lambda r: r.seconds)
+            who = "light map" if first.method.startswith("shlm") else "photon map"
+            self.assertRegex(line, rf"{who} in [^;]*{scene}")
+
+    def test_sentences_are_short(self):
+        for line in answer.lines(self.results, self.study):
+            for sentence in re.split(r"(?<=[.;:])\s", line):
+                self.assertLessEqual(len(sentence.split()), LONGEST_SENTENCE, sentence)
+
+    def test_every_saying_of_the_judges_is_known(self):
+        signs = ({1e4: {1}, 1e6: {-1}}, {1e4: {-1}, 1e6: {1}}, {1e4: {1}, 1e6: {0}}, {1e4: {-1, 1}})
+        for one in signs:
+            _, condition = verdict_of(one)
+            self.assertTrue(condition)
+            self.assertTrue(plain.sayings(condition), condition)
+        self.assertEqual(plain.sayings(verdict_of(signs[0])[1]), ["from 1 M hits on"])
+
+    def test_conditions_in_plain_words(self):
+        found = {v["claim"]: plain.plain_condition(next(iter(v["findings"].values()))) for v in page_results.verdicts()}
+        self.assertEqual(found["tracing-speed"], "Beside a tree that takes photons one by one: from 1 M hits on. Beside today's strongest photon map: not decided, not at 10 k hits.")
+        self.assertEqual(found["constant-gather"], "Too few runs from 10 M hits on.")
+        self.assertEqual(found["constant-memory"], "")
+
+    def test_each_panel_names_its_own_commit(self):
+        for identity in (f"chart-{scene}" for scene in SCENES):
+            figure = re.search(rf'<figure class="chart" id="{identity}">.*?</figure>', self.text, re.DOTALL).group()
+            self.assertIn("0123456789ab", figure)
+        cases = self.text[self.text.index('<section id="stability">') : self.text.index('<section id="fits">')]
+        self.assertIn("bbbbbbbbbbbb", cases)
+        self.assertNotIn("0123456789ab", cases)
+
+
+class Whole(WithResults):
+    def test_no_text_becomes_markup(self):
+        self.assertEqual(len(self.reader.all("script")), 3)
+        self.assertNotIn("<script>alert", self.text)
+        self.assertIn("&lt;script&gt;alert", self.text)
+        spoken = page.script_json({"x": HOSTILE})
+        self.assertNotIn("<", spoken)
+        self.assertEqual(json.loads(spoken), {"x": HOSTILE})
+
+    def test_nothing_is_fetched_and_every_link_is_there(self):
+        ids = {a["id"] for _, a in self.reader.elements if a.get("id")}
+        for name, attributes in self.reader.elements:
+            for key in ("src", "href"):
+                target = attributes.get(key)
+                if target is None or target == "data:,":
+                    continue
+                self.assertNotRegex(target, r"^(\w+:|/)")
+                if target.startswith("#"):
+                    self.assertIn(target[1:], ids, name)
+                else:
+                    self.assertTrue((self.root / target).exists(), target)
+        self.assertEqual({a.get("src") for a in self.reader.all("script")}, {None})
+        self.assertEqual(self.reader.all("iframe") + self.reader.all("object"), [])
+
+    def test_ids_are_there_once(self):
+        ids = [a["id"] for _, a in self.reader.elements if a.get("id")]
+        self.assertEqual(sorted(ids), sorted(set(ids)))
+
+    def test_all_sections(self):
+        found = [a["id"] for a in self.reader.all("section")]
+        self.assertEqual(found, ["claims", "choose", "charts", "pictures", "stability", "fits", "history", "measured", "words"])
+
+    def test_charts_have_a_sentence(self):
+        sentences = re.findall(r'<p class="finding">([^<]+)</p>', self.text)
+        self.assertGreaterEqual(len(sentences), len(SCENES) + 4)
+
+
+class Stability(unittest.TestCase):
+    def test_states(self):
+        found = {row["name"]: stability.state(row) for row in page_results.stability()["rows"]}
+        self.assertEqual(found, {"calm": "fine", "close": "near", "broken": "failing", "shown": "fine"})
+
+    def test_at_most_counts_only_what_is_above(self):
+        curve = {"expected": "at most"}
+        self.assertEqual(stability.used(curve, page_results.point(0, 1, 0.2)), 0)
+        self.assertAlmostEqual(stability.used(curve, page_results.point(0, 1, 1.05)), 0.5)
+
+
+class History(unittest.TestCase):
+    def test_only_what_leaves_its_band_is_coloured_and_what_was_not_run_is_a_gap(self):
+        lines = history.comparisons(page_results.history())
+        self.assertEqual([len(lines), history.finding(lines)],
+                         [2, "In 2 comparisons 1 time left the noise band as slower and 1 as faster; 0 errors became worse and 1 better."])
+        table = history.ratios_table(lines, "benchmarks")
+        self.assertEqual(re.findall(r'<td class="(\w+)"', table), ["up", "same", "same", "down"])
+        errors = history.ratios_table(lines, "errors")
+        self.assertEqual(re.findall(r'<td class="(\w+)"', errors), ["down", "gap"])
+
+
+class Pictures(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.root = Path(temporary.name)
+        page_results.add_study(self.root / "study")
+
+    def sets(self):
+        results = find(self.root / "index.html", [self.root])
+        study = StudyRows(results.study)
+        pictures.keep(study)
+        return results, study, pictures.sets_of(results, study)
+
+    def test_kept_without_the_raw_answers(self):
+        results, study, before = self.sets()
+        self.assertEqual({s.scene for s in before}, set(SCENES))
+        shutil.rmtree(self.root / "study" / "raw")
+        _, _, after = self.sets()
+        self.assertEqual(after, before)
+        for one in after:
+            for file in [item.file for item in one.items] + list(one.flips.values()):
+                self.assertTrue((self.root / file).exists(), file)
+
+    def test_the_most_accurate_within_the_budget(self):
+        results, study, sets = self.sets()
+        limit = next(r for r in study.rows if (r.scene, r.method, r.hits_asked) == ("cornell", NEAREST, 1_000_000)).bytes
+        rows = [r for r in study.rows if r.scene == "cornell" and r.method.startswith("shlm") and r.bytes <= 1.1 * limit]
+        best = min(rows, key=lambda r: r.error)
+        words = next(s for s in sets if s.scene == "cornell" and "same bytes" in s.title).items[1].words
+        self.assertTrue(words.startswith(f"{best.method}, "), words)
+
+    def test_pictures_of_another_commit_are_not_shown(self):
+        self.sets()
+        shutil.rmtree(self.root / "study" / "raw")
+        file = self.root / "study" / "summary.json"
+        document = json.loads(file.read_text())
+        document["context"]["commit"] = "another"
+        file.write_text(json.dumps(document))
+        self.assertEqual(self.sets()[2], [])
+
+
+class Parts(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.root = Path(temporary.name)
+        self.out = self.root / "index.html"
+
+    def test_a_part_alone_makes_a_page_that_says_what_is_missing(self):
+        page_results.write(self.root / "stability" / "stability.json", page_results.stability())
+        code, out, errors = run(self.out, self.root / "stability")
+        self.assertEqual((code, errors), (0, ""))
+        text = self.out.read_text()
+        for command in ("bench/report verdicts", "./reproduce --full", "./reproduce --models", "bench/track BASE"):
+            self.assertIn(command, text)
+        self.assertIn("broken", text)
+
+    def test_studies_are_not_joined(self):
+        page_results.add_study(self.root / "study")
+        shutil.copytree(self.root / "study", self.root / "older")
+        file = self.root / "older" / "summary.json"
+        document = json.loads(file.read_text())
+        del document["scenes"]["bumpy"]
+        file.write_text(json.dumps(document))
+        self.assertEqual(run(self.out, self.root)[0], 0)
+        text = self.out.read_text()
+        self.assertEqual(text.count('class="point"'), len(METHODS) * len(SIZES) * len(SCENES))
+        self.assertIn("Other studies here are not joined to it: older.", text)
+
+    def test_bad_input_is_one_line_and_leaves_the_old_page(self):
+        self.out.write_text("the old page")
+        (self.root / "broken").mkdir()
+        (self.root / "broken" / "summary.json").write_text("{")
+        page_results.write(self.root / "other" / "compare.json", {"rows": []})
+        page_results.write(self.root / "odd" / "summary.json", {"scenes": {"s": {"methods": {"m": [{}]}}}, "context": {}})
+        (self.root / "empty").mkdir()
+        for name in ("broken", "other", "odd", "empty", "nowhere"):
+            code, out, errors = run(self.out, self.root / name)
+            self.assertEqual((code, out, errors.count("\n")), (2, "", 1), name)
+            self.assertEqual(self.out.read_text(), "the old page")
+        self.assertEqual([f.name for f in self.root.glob("*.part")], [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,7 +1,5 @@
 """The paper's claims: verdict, condition, number, what it rests on, links."""
 
-from pathlib import Path
-
 from report.page.markup import details, joined, link, tag
 from report.page.plain import plain_condition, verdict_word
 from report.page.words import date_text, listed, plural
@@ -35,9 +33,9 @@ def badge(verdict):
     return tag("span", symbol, " ", verdict_word(verdict), cls=f"badge {CLASSES.get(verdict, 'open')}")
 
 
-def leading(row):
+def leading(verdicts, row):
     """(folder, finding) that the row's number and link are of."""
-    name = Path(row["link"]).parent.name
+    name = (verdicts.folder / row["link"]).resolve().parent.name
     found = row["findings"]
     return (name, found[name]) if name in found else next(iter(found.items()))
 
@@ -75,7 +73,7 @@ def long_text(row):
 
 
 def claim_row(results, verdicts, row):
-    name, finding = leading(row)
+    name, finding = leading(verdicts, row)
     meaning = FIGURES.get(row["claim"])
     condition = " ".join(filter(None, (plain_condition(finding), differing(row, name))))
     return tag(

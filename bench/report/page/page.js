@@ -375,7 +375,7 @@ function offerLine(offer, found, cost) {
 }
 
 function drawOffers() {
-  byId("target").value = state.need;
+  if (document.activeElement !== byId("target")) byId("target").value = state.need;  // half a number is not taken away from who types it
   byId("target-scene").value = state.scene;
   byId("target-cost").value = state.by;
   const target = Number(state.need);
@@ -398,7 +398,7 @@ function listenToTarget() {
 // ---- pictures
 
 const sets = all(".pictures");
-let flipped = false;
+let flipped = false, cutAt = 50, drawn = "";
 
 /** role -> {src, words} of what a set can show. */
 function itemsOf(set) {
@@ -425,16 +425,19 @@ function sideOf(items, wanted, place) {
 }
 
 function drawViewer() {
+  const wanted = [state.set, state.left, state.right, state.view, state.zoom].join(), focused = document.activeElement.id;
+  if (wanted === drawn) return;
+  drawn = wanted;
   const number = sets[+state.set] ? +state.set : 0, items = itemsOf(sets[number]), names = Object.keys(items);
   sets.forEach((set, i) => { set.hidden = i !== number; });
   const left = sideOf(items, state.left, items.reference ? 1 : 0), right = sideOf(items, state.right, items.reference ? Math.min(3, names.length - 1) : 1);
-  const split = make("input", { type: "range", min: 0, max: 100, value: 50, "aria-label": "where the left picture ends" });
+  const split = make("input", { type: "range", min: 0, max: 100, value: cutAt, "aria-label": "where the left picture ends" });
   const pictures = [right, left].map(role => make("img", { src: items[role].src, alt: items[role].words }));
   const one = make("div", { class: state.view === "difference" ? "frame difference" : "frame" }, ...pictures);
   one.style.width = 100 * Number(state.zoom) + "%";
-  const cut = () => { pictures[1].style.clipPath = flipped ? "inset(0)" : `inset(0 ${100 - split.value}% 0 0)`; };
-  const flip = on => { if (flipped !== on) { flipped = on; [pictures[0].style.visibility, pictures[1].style.visibility] = ["", ""]; cut(); } };
-  split.addEventListener("input", cut);
+  const cut = () => { pictures[1].style.clipPath = flipped ? "inset(0)" : `inset(0 ${100 - cutAt}% 0 0)`; };
+  const flip = on => { flipped = on; cut(); };
+  split.addEventListener("input", () => { cutAt = +split.value; cut(); });
   const hold = make("button", { type: "button", id: "flip" }, "hold (or hold F): the left one alone");
   for (const name of ["pointerdown", "pointerup", "pointerleave"]) hold.addEventListener(name, () => flip(name === "pointerdown"));
   const viewer = byId("viewer"), labels = names.map(name => items[name].title);
@@ -449,6 +452,7 @@ function drawViewer() {
   viewer.replaceChildren(controls, stage, ...(state.view === "slider" ? [split] : []),
     make("div", { class: "sides" }, make("span", {}, "left: " + items[left].words), make("span", {}, "right: " + items[right].words)));
   cut();
+  if (focused.startsWith("picture-")) byId(focused)?.focus();
 }
 
 function withValue(select, value) {

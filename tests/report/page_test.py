@@ -240,7 +240,7 @@ class Words(WithResults):
 
     def test_conditions_in_plain_words(self):
         found = {v["claim"]: plain.plain_condition(next(iter(v["findings"].values()))) for v in page_results.verdicts()}
-        self.assertEqual(found["tracing-speed"], "Beside a tree that takes photons one by one: from 1 M hits on. Beside today's strongest photon map: not decided, not at 10 k hits.")
+        self.assertEqual(found["tracing-speed"], "Beside a tree that takes photons one by one: holds from 1 M hits on. Beside today's strongest photon map: not decided, fails at 10 k hits.")
         self.assertEqual(found["constant-gather"], "Too few runs from 10 M hits on.")
         self.assertEqual(found["constant-memory"], "")
 

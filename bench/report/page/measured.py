@@ -39,10 +39,9 @@ def memory_text(context):
     return f"{context.get('cores', '?')} cores, {bytes_text(memory)}" if memory else NOT_RECORDED
 
 
-def row(results, part, source):
+def facts(source):
     context = source.context
     return (
-        link(results.link(source.file), part),
         context.get("machine", NOT_RECORDED),
         instructions_text(context),
         memory_text(context),
@@ -54,6 +53,14 @@ def row(results, part, source):
     )
 
 
+def grouped(results):
+    """One row for all that was made alike, of one commit, machine and day."""
+    found = {}
+    for name, source in parts(results):
+        found.setdefault(facts(source), []).append(link(results.link(source.file), name))
+    return [(joined(links, ", "), *key) for key, links in found.items()]
+
+
 HEADS = ("results", "machine", "instruction set", "cores, memory", "threads", "commit", "date", "compiler", "seeds, repetitions")
 
 
@@ -63,7 +70,7 @@ def parts(results):
     for name, sources in (("study", results.studies), ("comparison", results.comparisons), ("limit", results.limits), ("stability", results.stability), ("bases", results.bases), ("fit", results.fits), ("promise", results.promises), ("elsewhere", results.elsewhere)):
         for source in sources:
             if isinstance(source.document, dict) and "context" in source.document:
-                where = source.file.stem if name == "limit" else "/".join(source.file.parts[-3:-1]) if name == "fit" else source.name
+                where = source.file.stem.removeprefix("limit-") if name == "limit" else "/".join(source.file.parts[-3:-1]) if name == "fit" else source.name
                 found.append((f"{name} {where}" if where != name else name, source))
     return found
 
@@ -93,7 +100,7 @@ def section(results):
     return joined(
         [
             tag("p", charted_words(results)),
-            table(HEADS, [row(results, name, source) for name, source in found]),
+            table(HEADS, grouped(results)),
             tag("p", f"Flags: {context.get('flags', NOT_RECORDED)}. Libraries: {libraries_text(context)}. Settings: {context.get('settings', NOT_RECORDED)}."),
             reports(results),
             details("what an error is, exactly", tag("p", definition)) if definition else None,

@@ -10,7 +10,7 @@ SIDE = re.compile(r"(flann-incremental|the strongest engine): ([a-z ]+?)(?: \(([
 SMALLER = re.compile(r"the strongest engine is the smaller map below ([\d. to]+ [kMG]) hits")
 SAYINGS = (
     (re.compile(r"true in every scene from (\S+ [kMG]|\S+) hits on"), "from {} hits on"),
-    (re.compile(r"false in every scene at ([^;()]+?)(?:;|$)"), "not at {} hits"),
+    (re.compile(r"false in every scene at ([^;()]+?)(?:;|$)"), "fails at {} hits"),
     (re.compile(r"true in some scenes or at some sizes only"), "in some scenes or at some sizes only"),
 )
 LACKING = re.compile(r"not judged at ([\d.]+ ?[kMG]?)")
@@ -34,9 +34,9 @@ def side_words(verdict, text):
     """One side of a claim: where it is true, else what became of it."""
     said = " and ".join(sayings(text or ""))
     if verdict == "confirmed":
-        return "at every size judged"
+        return "holds at every size judged"
     if verdict == "conditional":
-        return said or "under conditions"
+        return f"holds {said or 'under conditions'}"
     return ", ".join(filter(None, (verdict_word(verdict), said)))
 
 

@@ -4,6 +4,7 @@ chromium-headless-shell (Debian) or chromium is used; `find_browser` gives None 
 """
 
 import base64
+import fcntl
 import json
 import os
 import select
@@ -35,13 +36,13 @@ class Browser:
         to_browser, self._out = os.pipe()
         self._in, from_browser = os.pipe()
 
-        def take_pipes():  # the browser reads from 3 and writes to 4
-            reading, writing = os.dup(to_browser), os.dup(from_browser)
+        def take_pipes():  # the browser reads from 3 and writes to 4; all other files of ours close by themselves
+            reading, writing = (fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (to_browser, from_browser))  # out of the way of both
             os.dup2(reading, 3)
             os.dup2(writing, 4)
 
         self._process = subprocess.Popen(
-            [program, *FLAGS, f"--user-data-dir={self._home.name}", "about:blank"], preexec_fn=take_pipes, pass_fds=(3, 4),
+            [program, *FLAGS, f"--user-data-dir={self._home.name}", "about:blank"], preexec_fn=take_pipes, close_fds=False,
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
         )
         os.close(to_browser)

@@ -162,10 +162,11 @@ class Charts(WithResults):
         self.assertLess(len(self.study.best_known), len(METHODS))
 
     def test_theory_halves_the_slope_of_the_square(self):
-        ghosts = {g["method"]: g for g in self.data["charts"]["ghosts"]["cornell"]["hits"]}
-        self.assertEqual((ghosts[SMALL]["slope"], ghosts[NEAREST]["slope"]), (-0.5, 0))
-        (first, above), (last, below) = ghosts[SMALL]["line"]
-        self.assertAlmostEqual(math.log(above / below) / math.log(last / first), 0.5)
+        ghosts = {g["slope"]: g["line"] for g in self.data["charts"]["ghosts"]["cornell"]["hits"]}
+        self.assertEqual(sorted(ghosts), [-1 / 2, -1 / 3, 0])
+        for slope, ((first, above), (last, below)) in ghosts.items():
+            self.assertAlmostEqual(math.log(above / below) / math.log(last / first), -slope)
+        self.assertAlmostEqual(ghosts[0][1][1] / self.row("cornell", NEAREST, SIZES[-1]).noise, 1, delta=1e-5)
 
 
 class Choosing(WithResults):
@@ -194,7 +195,7 @@ class Choosing(WithResults):
         offers = chooser.offers(self.study, "cornell", 0.5, "seconds")
         cells = chooser.offer_cells(self.study, "cornell", offers, offers[0], "seconds")
         self.assertIn("not reached up to 1\u00a0M hits: best is", cells[2])
-        self.assertEqual(cells[-1], "")
+        self.assertNotIn("render", cells[-1])
 
     def test_commands_name_method_hits_and_texels(self):
         self.assertEqual(
@@ -287,7 +288,7 @@ class Whole(WithResults):
 
     def test_charts_have_a_sentence(self):
         sentences = re.findall(r'<p class="finding">([^<]+)</p>', self.text)
-        self.assertGreaterEqual(len(sentences), len(SCENES) + 4)
+        self.assertGreaterEqual(len(sentences), len(SCENES) + 3)  # the charts, stability, fits, history
 
 
 class Stability(unittest.TestCase):

@@ -25,7 +25,7 @@ def new_axes(scales, cost, error):
         low, high = scales.limits[quantity.key]
         set_scale("log")
         set_limits(low, high)
-        axis.set_major_locator(FixedLocator([t for t in quantity.ticks if low <= t <= high]))
+        axis.set_major_locator(FixedLocator(scales.ticks(quantity)))
         axis.set_minor_locator(NullLocator())
         axis.set_major_formatter(FuncFormatter(lambda value, _, text=quantity.text: text(value)))
         axis.set_label_text(quantity.label, fontsize=FONT)

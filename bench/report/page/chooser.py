@@ -59,11 +59,15 @@ def ratio_text(offer, found, cost):
     return f"{number_text(COSTS[cost](offer.row) / COSTS[cost](found[0].row), 2)} ×"
 
 
+def method_cell(name, words=None):
+    return joined([tag("b", name), tag("code", words, cls="command") if words else None], " ")
+
+
 def offer_cells(study, scene, found, offer, cost):
     family = family_text(offer.family)
     if not offer.reached:
         words = f"not reached up to {hits_text(offer.most_hits)} hits: best is {percent_text(offer.row.error)}"
-        return [scene, family, words, "", "", "", tag("code", offer.row.method), ""]
+        return [scene, family, words, "", "", "", method_cell(offer.row.method)]
     row = offer.row
     return [
         scene,
@@ -72,12 +76,11 @@ def offer_cells(study, scene, found, offer, cost):
         seconds_text(row.seconds),
         bytes_text(row.bytes),
         ratio_text(offer, found, cost),
-        tag("code", row.method),
-        tag("code", command(study, row), cls="command"),
+        method_cell(row.method, command(study, row)),
     ]
 
 
-HEADS = ("scene", "map", "error", "time", "finished bytes", "beside the cheapest", "method", "command")
+HEADS = ("scene", "map", "error", "time", "finished bytes", "beside the cheapest", "method and command")
 
 
 def static_table(study):
@@ -86,7 +89,7 @@ def static_table(study):
     for scene in study.scenes:
         found = offers(study, scene, TARGET, "seconds")
         rows += [offer_cells(study, scene, found, offer, "seconds") for offer in found]
-    return table(HEADS, rows)
+    return table(HEADS, rows, cls="offers")
 
 
 def option(value, text, chosen=False):

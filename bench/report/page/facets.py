@@ -25,6 +25,9 @@ FACETS = {  # key -> (title, value of a kind of the study; None where it has non
 }
 
 
+FIRST_FACETS = ("family", "basis", "gather", "texels")  # the others stand behind a word
+
+
 def facts_of(kind):
     return {key: value for key, (_, value_of) in FACETS.items() if (value := value_of(kind)) is not None}
 

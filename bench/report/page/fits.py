@@ -84,7 +84,7 @@ def section(results):
         [
             tag("p", ratio_words(fits), cls="finding"),
             promise_words(results),
-            table(HEADS, [row(fit, kind) for fit in fits for kind in KINDS]),
+            table(HEADS, [row(fit, kind) for fit in fits for kind in KINDS], cls="wrap"),
             *blocks,
             tag("p", f"{'; '.join(origins)}.", cls="origin"),
         ]

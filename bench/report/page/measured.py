@@ -100,7 +100,7 @@ def section(results):
     return joined(
         [
             tag("p", charted_words(results)),
-            table(HEADS, grouped(results)),
+            table(HEADS, grouped(results), cls="wrap"),
             tag("p", f"Flags: {context.get('flags', NOT_RECORDED)}. Libraries: {libraries_text(context)}. Settings: {context.get('settings', NOT_RECORDED)}."),
             reports(results),
             details("what an error is, exactly", tag("p", definition)) if definition else None,

@@ -125,7 +125,8 @@ function placeGhosts(panel) {
 function brighten(panel) {
   const groups = all(".series", panel);
   for (const group of groups) group.classList.toggle("dim", !isActive(charts.methods[+group.dataset.method]));
-  panel.append(...groups.filter(group => group.classList.contains("dim")), ...groups.filter(group => !group.classList.contains("dim")));
+  const isDim = group => group.classList.contains("dim"), order = [...groups.filter(isDim), ...groups.filter(group => !isDim(group))];
+  if (order.some((group, i) => group !== groups[i])) panel.append(...order);  // what is moved loses the focus
 }
 
 function drawPanel(panel) {
@@ -321,7 +322,7 @@ const SORTED = ["scene", "method", "hits", "seeds", "error", "error", "bias", "n
 function sortTable() {
   const [column, direction] = state.sort.split(".").map(Number), body = byId("rows").tBodies[0];
   all("#rows th").forEach((head, i) => head.setAttribute("aria-sort", state.sort && i === column ? (direction > 0 ? "ascending" : "descending") : "none"));
-  const key = SORTED[column] ?? "number", sign = direction || 1;
+  const key = state.sort ? SORTED[column] : "number", sign = direction || 1;
   const value = row => key === "method" ? methodOf(row).name : row[key] ?? Infinity;
   const compare = (a, b) => { const [p, q] = [value(a), value(b)]; return p < q ? -sign : p > q ? sign : a.number - b.number; };
   const order = [...rows].sort(compare).map(row => byId("t" + row.number));
@@ -363,15 +364,15 @@ function copyButton(text) {
 }
 
 function offerLine(offer, found, cost) {
-  const words = wordsOf(offer.row), family = data.chooser.families[offer.family], name = make("code", {}, methodOf(offer.row).name);
+  const words = wordsOf(offer.row), family = data.chooser.families[offer.family], name = make("b", {}, methodOf(offer.row).name);
   if (!offer.reached) {
     const said = `not reached up to ${wordsOf(offer.most).hits} hits: best is ${words.error}`;
-    return [offer.row.scene, family, said, "", "", "", name, ""];
+    return [offer.row.scene, family, said, "", "", "", name];
   }
   const several = found.filter(other => other.reached).length > 1;
   const ratio = several ? `${Number((offer.row[cost] / found[0].row[cost]).toPrecision(2))} ×` : "";
   const command = make("code", { class: "command" }, commandOf(offer.row));
-  return [offer.row.scene, family, words.error, words.time, words["finished bytes"], ratio, name, make("span", {}, copyButton(commandOf(offer.row)), " ", command)];
+  return [offer.row.scene, family, words.error, words.time, words["finished bytes"], ratio, make("span", {}, name, " ", command, " ", copyButton(commandOf(offer.row)))];
 }
 
 function drawOffers() {
@@ -382,10 +383,10 @@ function drawOffers() {
   const scenes = charts.scenes.includes(state.scene) ? [state.scene] : charts.scenes;
   const lines = !(target > 0) ? [] : scenes.flatMap(scene => {
     const found = offers(scene, target, state.by);
-    return found.map(offer => make("tr", { "data-row": offer.row.number, "data-reached": offer.reached }, ...offerLine(offer, found, state.by).map(cell => make("td", {}, cell))));
+    return found.map(offer => make("tr", { "data-row": offer.row.number, "data-reached": String(offer.reached) }, ...offerLine(offer, found, state.by).map(cell => make("td", {}, cell))));
   });
   const head = make("thead", {}, make("tr", {}, ...data.chooser.heads.map(word => make("th", { scope: "col" }, word))));
-  const table = make("table", {}, head, make("tbody", {}, ...lines));
+  const table = make("table", { class: "offers" }, head, make("tbody", {}, ...lines));
   byId("offers").replaceChildren(lines.length ? make("div", { class: "scroll" }, table) : make("p", {}, "A target is a number of per cent above zero."));
 }
 

@@ -3,7 +3,7 @@
 from dataclasses import asdict
 
 from report.page.charts import COST, ERROR, Charts
-from report.page.facets import FACETS, choices, facts_of
+from report.page.facets import FACETS, FIRST_FACETS, choices, facts_of
 from report.page.markup import Markup, details, escaped, joined, tag
 from report.page.quantities import COSTS, ERRORS, percent_text
 from report.page.words import family_text, origin_text
@@ -72,10 +72,12 @@ def filters(study, bright):
             tag("button", "all ", tag("small", len(study.rows)), type="button", cls="chip", id="all", aria_pressed="false"),
         )
     ]
+    more = []
     for facet, values in choices(study).items():
         chips = [chip(facet, value, count) for value, count in values.items()]
-        lines.append(tag("p", tag("span", FACETS[facet][0], cls="facet"), *chips))
-    return tag("div", *lines, cls="filters", role="group", aria_label="filters")
+        (lines if facet in FIRST_FACETS else more).append(tag("p", tag("span", FACETS[facet][0], cls="facet"), *chips))
+    rest = details("more filters", *more) if more else None
+    return tag("div", *lines, rest, cls="filters", role="group", aria_label="filters")
 
 
 def legend(charts):
@@ -93,7 +95,7 @@ def panel(charts, scene, sentence):
         "figure",
         tag("figcaption", tag("h3", scene), tag("p", sentence, cls="finding")),
         charts.panel(scene),
-        tag("p", f"Steps: the Pareto front of all runs. Dotted: noise as theory has it. {origin}.", cls="origin"),
+        tag("p", f"Steps: the Pareto front of all runs. Dotted: how theory has the noise fall, from the largest run. {origin}.", cls="origin"),
         cls="chart",
         id=f"chart-{scene}",
     )
@@ -122,6 +124,7 @@ def rows_table(study):
 def section(charts):
     study = charts.study
     sentences = findings(charts)[pair(COST, ERROR)]
+    figures = [panel(charts, scene, sentences[scene]) for scene in study.scenes]  # before the legend, which shows their marks
     scale = "Both axes are logarithmic and the same for all scenes. Bars: 95 % bands over seeds. Values below the axis lie on its lower edge."
     return joined(
         [
@@ -129,7 +132,7 @@ def section(charts):
             tag("div", axis_controls(), filters(study, charts.bright), cls="script-only"),
             legend(charts),
             tag("div", id="pins", cls="pins script-only", aria_live="polite"),
-            tag("div", *(panel(charts, scene, sentences[scene]) for scene in study.scenes), cls="panels"),
+            tag("div", *figures, cls="panels"),
             tag(
                 "p",
                 "Keys in a chart: arrows go from run to run (left and right by cost, up and down by error), Home and End to the ends, Enter pins a run; "

@@ -197,8 +197,9 @@ def sets_of(results, study):
 
 
 WORDS = (
-    "Small pictures: the first seed's irradiance at the reference's 96 by 54 points, as grey-lit surfaces, one exposure for a scene. Shown is the most accurate run "
-    "of each map within the budget. Large pictures: the whole image with materials, at each map's most hits, without a reference."
+    "Small pictures: the light that arrives at the points of the reference, without the surfaces' colours, by the first seed and with one exposure for a scene. "
+    "Each is the most accurate run of its kind of map within the time or the bytes named. "
+    "Large pictures: the whole image with its materials, at each map's most hits. They have no reference of their size."
 )
 
 

@@ -14,7 +14,7 @@ class Quantity:
     short: str  # in menus
     of: Callable  # of a Row; None where it was not measured
     text: Callable
-    ticks: tuple  # all there could be; those within the limits are shown
+    ticks: tuple  # sets of them, the coarsest first
     band: Callable = lambda row: None
 
 
@@ -22,14 +22,15 @@ def percent_text(value):
     return f"{number_text(value)}\u00a0%"
 
 
-DECADES = tuple(10.0**p for p in range(-6, 13))
-ONE_TWO_FIVE = tuple(m * 10.0**p for p in range(-4, 5) for m in (1, 2, 5))
-POWERS_OF_32 = tuple(2.0 ** (5 * p) for p in range(0, 10))  # 1 KiB, 32 KiB, 1 MiB, ...
+ONE_TWO_FIVE = (tuple(m * 10.0**p for p in range(-6, 13) for m in (1, 2, 5)),)
+DECADES = (tuple(10.0**p for p in range(-6, 13)), *ONE_TWO_FIVE)
+BINARY = tuple(tuple(2.0 ** (step * p) for p in range(50 // step)) for step in (5, 2, 1))  # 1 KiB, 32 KiB, 1 MiB, ...; 1, 4, 16 KiB; 1, 2, 4 KiB
+LEAST_TICKS = 3
 
 COSTS = (
     Quantity("seconds", "time until every point is answered", "time", lambda r: r.seconds, seconds_text, DECADES),
-    Quantity("bytes", "bytes of the finished map", "finished bytes", lambda r: r.bytes, bytes_text, POWERS_OF_32),
-    Quantity("working", "bytes while the map is filled", "working bytes", lambda r: r.working, bytes_text, POWERS_OF_32),
+    Quantity("bytes", "bytes of the finished map", "finished bytes", lambda r: r.bytes, bytes_text, BINARY),
+    Quantity("working", "bytes while the map is filled", "working bytes", lambda r: r.working, bytes_text, BINARY),
     Quantity("hits", "hits", "hits", lambda r: r.hits, hits_text, DECADES),
 )
 ERRORS = (
@@ -61,6 +62,12 @@ class Scales:
 
     def __init__(self, study):
         self.limits = {q.key: limits_of(q, study) for q in (*COSTS, *ERRORS)}
+
+    def ticks(self, quantity):
+        """The coarsest set that has a few within the limits."""
+        low, high = self.limits[quantity.key]
+        sets = [[t for t in ticks if low <= t <= high] for ticks in quantity.ticks]
+        return next((ticks for ticks in sets if len(ticks) >= LEAST_TICKS), sets[-1])
 
     def clamped(self, quantity, value):
         low, high = self.limits[quantity.key]

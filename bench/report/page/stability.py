@@ -77,7 +77,7 @@ def finding(cases):
     points = sum(used(curve, point) is not None for case in cases for curve in case["curves"] for point in curve["points"])
     return (
         f"{kinds.count('fine') + kinds.count('near')} of {len(cases)} cases are as theory predicts, over {points} judged points; "
-        f"{kinds.count('near')} use more than {100 * NEAR:.0f} % of a band."
+        f"{kinds.count('near') or 'none'} of the others comes within {100 * (1 - NEAR):.0f} % of the edge of its band."
     )
 
 

@@ -32,12 +32,14 @@ def ghost(rows, cost, slope):
 
 
 def ghosts(study, scene):
-    """hits, seconds -> [{method, slope, line}] for the best of each kind: noise alone, whose square theory says all about."""
+    """hits, seconds -> [{method, slope, line}]: noise alone, whose square theory says all about. Of the best of each kind the first with each slope."""
     made = {}
     for cost in (c for c in COSTS if c.key in ("seconds", "hits")):
         made[cost.key] = []
         for name in study.best_known:
             family = study.kinds[name].method.family
+            if any(g["slope"] == SLOPE_OF_THEORY.get(family, 0) / 2 for g in made[cost.key]):
+                continue
             rows = sorted((r for r in study.rows if r.scene == scene and r.method == name), key=lambda r: r.hits)
             if family in SLOPE_OF_THEORY and rows and (line := ghost(rows, cost, SLOPE_OF_THEORY[family] / 2)):
                 made[cost.key].append({"method": name, "slope": SLOPE_OF_THEORY[family] / 2, "line": line})

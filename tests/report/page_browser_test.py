@@ -248,8 +248,8 @@ class Page(unittest.TestCase):
             self.browser.press("ArrowUp")
         self.assertIn(f"pin={pins[0]}%2C{pins[1]}", self.ask("location.hash"))
         rows = [self.study.rows[n] for n in pins]
-        lines = self.ask("[...document.querySelectorAll('#pins tr')].map(r => [r.className, ...[...r.cells].map(c => c.textContent)])")
-        found = {name: (kind, values) for kind, name, *values in lines}
+        heads, first, second = self.ask("[...document.querySelectorAll('#pins tr')].map(r => [...r.cells].map(c => [c.className, c.textContent]))")
+        found = {name: (kind, [one, other]) for (_, name), (kind, one), (_, other) in zip(heads, first, second)}
         self.assertEqual(found["method"][1], [r.method for r in rows])
         self.assertEqual(found["scene"], ("", ["cornell", "cornell"]))
         self.assertEqual(found["error"][0], "differs")

@@ -267,14 +267,13 @@ function drawPins() {
   if (!chosen.length) return place.replaceChildren();
   const words = chosen.map(row => ({ ...methodOf(row).facts, ...wordsOf(row) }));
   const names = [...new Set(words.flatMap(Object.keys))];
-  const lines = names.map(name => {
-    const values = words.map(word => word[name] ?? "-");
-    return make("tr", { class: new Set(values).size > 1 && "differs" }, make("th", { scope: "row" }, charts.facets[name] ?? name), ...values.map(v => make("td", {}, v)));
-  });
+  const differs = name => new Set(words.map(word => word[name])).size > 1 && "differs";
+  const heads = names.map(name => make("th", { scope: "col" }, charts.facets[name] ?? name));
+  const lines = words.map(word => make("tr", {}, ...names.map(name => make("td", { class: differs(name) }, word[name] ?? "-"))));
   const clear = make("button", { type: "button" }, "unpin");
   clear.addEventListener("click", () => change({ pin: "" }));
   const head = chosen.length > 1 ? "Two pinned runs; bold: where they differ. " : "One pinned run; pin another one to compare. ";
-  place.replaceChildren(make("p", {}, head, clear), make("div", { class: "scroll" }, make("table", {}, make("tbody", {}, ...lines))));
+  place.replaceChildren(make("p", {}, head, clear), make("div", { class: "scroll" }, make("table", {}, make("thead", {}, make("tr", {}, ...heads)), make("tbody", {}, ...lines))));
 }
 
 // ---- filters, axes, table

@@ -30,7 +30,7 @@ def front_finding(study, cost, error, numbers):
     best = rows[-1]
     return (
         f"{light} of the {len(rows)} runs that no other beats are {family_text(LIGHT_MAP)}s; the least {error.short} is "
-        f"{error.text(error.of(best))}, {best.method}, {cost.text(cost.of(best))}."
+        f"{error.text(error.of(best))}, {best.method}, {cost.text(cost.of(best))}{' hits' * (cost.key == 'hits')}."
     )
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from report.compare.comparison import Comparison
 from report.page.find import read_json
-from report.page.markup import joined, tag
+from report.page.markup import image, joined, tag
 from report.page.quantities import percent_text
 from report.page.words import family_text, origin_text
 from report.study.images import BUDGET_HITS, TOLERANCE
@@ -154,10 +154,6 @@ def comparison_sets(results, source):
         if all(items):
             made.append(Set(scene, f"large, {source.name}", items, {}))
     return made
-
-
-def image(file, words):
-    return tag("img", src=file, alt=words, loading="lazy", decoding="async")
 
 
 def shown(title, picture, words, role):

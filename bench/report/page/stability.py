@@ -1,6 +1,6 @@
 """Every stability case: what fails where, theory beside data, how near to the limit."""
 
-from report.page.markup import details, joined, link, table, tag
+from report.page.markup import image, joined, table, tag
 from report.page.words import MISSING, origin_text, plural
 from report.text import number_text
 
@@ -64,7 +64,7 @@ def case_block(results, folder, case):
         tag("p", tag("b", "Scene: "), case["scene"]),
         tag("p", tag("b", "Theory: "), case["theory"]),
         tag("p", tag("b", "What to do: "), case["advice"]),
-        tag("p", link(results.link(chart), "chart")) if chart.is_file() else None,
+        tag("p", tag("a", image(results.link(chart), f"{case['name']}: theory and data"), href=results.link(chart))) if chart.is_file() else None,
         tag("p", f"{case['measured']} over {case['swept']}; {case['seeds']} seeds, ± 95 % confidence.", cls="origin"),
         table(("curve", case["swept"], "theory", "measured", "confidence", "distance from theory"), rows),
         cls="case",
@@ -75,9 +75,10 @@ def case_block(results, folder, case):
 def finding(cases):
     kinds = [state(case) for case in cases]
     points = sum(used(curve, point) is not None for case in cases for curve in case["curves"] for point in curve["points"])
+    near = kinds.count("near")
     return (
-        f"{kinds.count('fine') + kinds.count('near')} of {len(cases)} cases are as theory predicts, over {points} judged points; "
-        f"{kinds.count('near') or 'none'} of the others comes within {100 * (1 - NEAR):.0f} % of the edge of its band."
+        f"{len(kinds) - kinds.count('failing')} of {len(cases)} cases are as theory predicts, over {points} judged points; "
+        f"{near or 'none'} {'comes' if near < 2 else 'come'} within {100 * (1 - NEAR):.0f} % of the edge of its band."
     )
 
 

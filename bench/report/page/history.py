@@ -119,7 +119,7 @@ def machine(source):
     parts = [part for part in ("benchmarks", "errors") if any(has_ratio(e) for line in lines for e in line[part].values())]
     labels = {"benchmarks": "time, head over base", "errors": "error, head over base"}
     charts = [tag("figure", chart(lines, part, labels[part]), tag("figcaption", labels[part]), cls="chart") for part in parts]
-    tables = [tag("details", tag("summary", f"table: {labels[part]}"), ratios_table(lines, part)) for part in parts]
+    tables = [tag("details", tag("summary", f"table: {labels[part]}"), ratios_table(lines, part), cls="printed") for part in parts]
     return joined([title, tag("p", finding(lines), cls="finding"), tag("div", *charts, cls="panels"), *tables])
 
 

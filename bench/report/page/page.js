@@ -483,7 +483,7 @@ function start() {
   pages.push(drawCases);
   pages.forEach(update => update());
   addEventListener("hashchange", () => { readState(); pages.forEach(update => update()); });
-  addEventListener("beforeprint", () => all("details").forEach(block => { block.open = true; }));
+  addEventListener("beforeprint", () => all("details.printed").forEach(block => { block.open = true; }));
   for (const anchor of all("nav a")) anchor.addEventListener("click", event => {  // an anchor of its own would take the state's place
     event.preventDefault();
     change({ at: anchor.hash.slice(1) });

@@ -7,7 +7,7 @@ from known_methods import facts_of
 from report.study.report import Report
 from report.study.summary import summary
 from study_laws import fixed_k_law, growing_k_law, light_map_law, radius_law
-from synthetic_study import CONTEXT, Plan, write_study
+from synthetic_study import CONTEXT, Law, Plan, write_study
 
 SHLM, SMALL, FLAT, FEWER = "shlm/L2/radiance/surface4", "shlm/L2/radiance/surface4/t16384", "shlm/L0/normalised/surface4", "shlm/L1/radiance/surface4"
 NEAREST, GROWING, RADIUS = "photonmap/flann/k50/disc", "photonmap/flann/k0.05n23/cone", "photonmap/flann/r0.01/disc"
@@ -15,7 +15,7 @@ METHODS = {
     SHLM: light_map_law(),
     SMALL: light_map_law(2e-4, 80),
     FLAT: light_map_law(3e-3, 300),
-    FEWER: light_map_law(1e-2),
+    FEWER: Law(lambda h: 50 / h, lambda h: 1e-5, lambda h: 1e-6 * h, bytes=lambda h: 500e6, texels=100),  # accurate, and large
     NEAREST: fixed_k_law(),
     GROWING: growing_k_law(),
     RADIUS: radius_law(),

@@ -156,7 +156,7 @@ class Charts(WithResults):
 
     def test_what_is_not_of_the_best_is_grey(self):
         names = [m["name"] for m in self.data["charts"]["methods"]]
-        found = re.findall(r'<g class="(series[ a-z]*)" data-method="(\d+)"', self.text) or [(c, m) for m, c in re.findall(r'data-method="(\d+)" class="(series[ a-z]*)"', self.text)]
+        found = re.findall(r'<g class="(series[ a-z]*)" data-method="(\d+)"', self.text)
         self.assertEqual(len(found), len(METHODS) * len(SCENES))
         for words, method in found:
             self.assertEqual("dim" not in words, names[int(method)] in self.study.best_known)
@@ -242,7 +242,8 @@ class Words(WithResults):
 
     def test_conditions_in_plain_words(self):
         found = {v["claim"]: plain.plain_condition(next(iter(v["findings"].values()))) for v in page_results.verdicts()}
-        self.assertEqual(found["tracing-speed"], "Beside a tree that takes photons one by one: holds from 1 M hits on. Beside today's strongest photon map: not decided, fails at 10 k hits.")
+        paper, today = "Beside a tree that takes photons one by one", "Beside today's strongest photon map"
+        self.assertEqual(found["tracing-speed"], f"{paper}: holds from 1 M hits on. {today}: not decided, fails at 10 k hits.")
         self.assertEqual(found["constant-gather"], "Too few runs from 10 M hits on.")
         self.assertEqual(found["constant-memory"], "")
 
@@ -250,6 +251,7 @@ class Words(WithResults):
         for identity in (f"chart-{scene}" for scene in SCENES):
             figure = re.search(rf'<figure class="chart" id="{identity}">.*?</figure>', self.text, re.DOTALL).group()
             self.assertIn("0123456789ab", figure)
+            self.assertIn("3 seeds", figure)
         cases = self.text[self.text.index('<section id="stability">') : self.text.index('<section id="fits">')]
         self.assertIn("bbbbbbbbbbbb", cases)
         self.assertNotIn("0123456789ab", cases)
@@ -290,6 +292,40 @@ class Whole(WithResults):
     def test_charts_have_a_sentence(self):
         sentences = re.findall(r'<p class="finding">([^<]+)</p>', self.text)
         self.assertGreaterEqual(len(sentences), len(SCENES) + 3)  # the charts, stability, fits, history
+
+
+def luminance(colour):
+    """Relative, of #rgb or #rrggbb, as WCAG has it."""
+    digits = colour[1:] if len(colour) == 7 else "".join(2 * c for c in colour[1:])
+    parts = [int(digits[i : i + 2], 16) / 255 for i in (0, 2, 4)]
+    linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(one, other):
+    high, low = sorted((luminance(one), luminance(other)), reverse=True)
+    return (high + 0.05) / (low + 0.05)
+
+
+class Style(unittest.TestCase):
+    LEAST = 4.5
+
+    def test_words_stand_out_by_day_by_night_and_on_paper(self):
+        style = (Path(page.__file__).parent / "page.css").read_text()
+        roots = [dict(re.findall(r"--(\w+): (#\w+);", block)) for block in re.findall(r":root \{([^}]*)\}", style)]
+        self.assertEqual(len(roots), 3)
+        for root in roots:
+            scheme = roots[0] | root
+            for name in ("ink", "soft", "accent", "holds", "if", "fails", "open"):
+                for ground in ("ground", "tint"):
+                    self.assertGreaterEqual(contrast(scheme[name], scheme[ground]), self.LEAST, (name, ground, scheme[ground]))
+
+    def test_coloured_cells_too(self):
+        style = (Path(page.__file__).parent / "page.css").read_text()
+        found = re.findall(r"td\.\w+ \{ color: (#\w+); font-weight: 700; background: (#\w+);", style)
+        self.assertEqual(len(found), 2)
+        for colour, ground in found:
+            self.assertGreaterEqual(contrast(colour, ground), self.LEAST)
 
 
 class Stability(unittest.TestCase):

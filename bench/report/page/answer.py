@@ -2,8 +2,9 @@
 
 from report.page.chooser import TARGET, offers
 from report.page.claims import finding_text
+from report.page.measured import seeds_text
 from report.page.quantities import percent_text
-from report.page.words import date_text, listed, plural
+from report.page.words import listed, origin_text, plural
 from report.study.methods import LIGHT_MAP
 from report.text import bytes_text, hits_text, number_text, seconds_text
 
@@ -87,8 +88,8 @@ def trust_line(results):
     if source is None:
         return "Nothing here says on which machine it was measured."
     context = source.context
-    scenes = f", {plural(len(source.document['scenes']), 'scene')} of this project" if results.study else ""
-    return f"Measured on {context.get('machine', 'a machine not recorded')}, {context.get('threads', '?')} threads, commit {context.get('commit', '?')}, {date_text(context.get('date'))}{scenes}."
+    scenes = f", {seeds_text(source)}, {plural(len(source.document['scenes']), 'scene')} of this project" if results.study else ""
+    return f"Measured on {origin_text(context)}{scenes}."
 
 
 def lines(results, study):

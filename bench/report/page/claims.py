@@ -86,6 +86,10 @@ def claim_row(results, verdicts, row):
     )
 
 
+BESIDE = (
+    "Claims of speed and memory are held against two photon maps: the paper's, a tree that takes photons one by one, and the strongest one measured here. "
+    "x is how many times."
+)
 BECAME = {  # of one claim, of several
     "confirmed": ("holds", "hold"),
     "conditional": ("holds under a condition", "hold under a condition"),
@@ -109,7 +113,7 @@ def section(results):
     body = joined(claim_row(results, verdicts, row) for row in verdicts.document)
     return joined(
         [
-            tag("p", "Each claim is held against an old photon map, a tree that takes photons one by one, and against the strongest one measured here. x: how many times."),
+            tag("p", BESIDE),
             tag("table", tag("thead", tag("tr", heads)), tag("tbody", body), cls="claims"),
         ]
     )

@@ -4,7 +4,7 @@ from report.fit.search import KINDS, root_mean
 from report.page.markup import details, joined, link, table, tag
 from report.page.quantities import percent_text
 from report.page.words import MISSING, origin_text, plural
-from report.text import bytes_text, hits_text, number_text, seconds_text
+from report.text import bytes_text, hits_text, seconds_text
 
 MISSING_TEXT = MISSING.format("./reproduce --models")
 HEADS = ("scene", "target", "least", "map", "method", "hits", "bytes", "time", "estimated", "measured", "runs that meet it")
@@ -70,7 +70,8 @@ def promise_words(results):
     for source in results.promises:
         sure = source.document["summary"]["sure"]
         rooms = source.document["rooms"]["count"]
-        found.append(tag("p", f"On {plural(rooms, 'random room')} {sure['runs_that_meet']} of {sure['runs']} runs met the target that fit was sure of ({origin_text(source.context)})."))
+        met = f"{sure['runs_that_meet']} of {sure['runs']} runs met the target that fit was sure of"
+        found.append(tag("p", f"On {plural(rooms, 'random room')} {met} ({origin_text(source.context)})."))
     return joined(found)
 
 

@@ -13,6 +13,10 @@ from report.page.words import MISSING, date_text, plural
 from report.text import number_text
 
 MISSING_TEXT = MISSING.format("bench/track BASE")
+HOW_TO_READ = (
+    "Machines are not compared with each other. ▲ is slower or worse and ▼ is faster or better, beyond the noise. "
+    "A circle or a plain number is within it; a hatched cell was not run."
+)
 WORSE, BETTER = ("slower", "worse"), ("faster", "better")
 SHAPES = {"up": ("^", "#a33a00"), "down": ("v", "#0b5fa5"), "same": ("o", "#8a8f98")}  # shape beside colour
 WIDTH, HEIGHT = 470, 210
@@ -126,7 +130,6 @@ def machine(source):
 def section(results):
     if not results.histories:
         return tag("p", MISSING_TEXT)
-    words = "Machines are not compared with each other. ▲ slower or worse, ▼ faster or better, beyond the noise; a circle or plain number is within it; an empty cell was not run."
-    return joined([tag("p", words), *(machine(source) for source in results.histories)])
+    return joined([tag("p", HOW_TO_READ), *(machine(source) for source in results.histories)])
 
 

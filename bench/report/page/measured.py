@@ -64,15 +64,22 @@ def grouped(results):
 HEADS = ("results", "machine", "instruction set", "cores, memory", "threads", "commit", "date", "compiler", "seeds, repetitions")
 
 
+PARTS = ("studies", "comparisons", "limits", "stability", "bases", "fits", "promises", "elsewhere")
+
+
+def name_of(part, source):
+    """study, comparison billion, limit cornell-262144, fit cornell/10-bytes"""
+    kind = {"studies": "study"}.get(part, part.removesuffix("s"))
+    if part == "limits":
+        return source.file.stem.replace("limit-", "limit ")
+    where = "/".join(source.file.parts[-3:-1]) if part == "fits" else source.name
+    return where if where in (kind, part) else f"{kind} {where}"
+
+
 def parts(results):
     """(name, source), every file of results that says how it was made."""
-    found = []
-    for name, sources in (("study", results.studies), ("comparison", results.comparisons), ("limit", results.limits), ("stability", results.stability), ("bases", results.bases), ("fit", results.fits), ("promise", results.promises), ("elsewhere", results.elsewhere)):
-        for source in sources:
-            if isinstance(source.document, dict) and "context" in source.document:
-                where = source.file.stem.removeprefix("limit-") if name == "limit" else "/".join(source.file.parts[-3:-1]) if name == "fit" else source.name
-                found.append((f"{name} {where}" if where != name else name, source))
-    return found
+    sources = [(part, source) for part in PARTS for source in getattr(results, part)]
+    return [(name_of(part, s), s) for part, s in sources if isinstance(s.document, dict) and "context" in s.document]
 
 
 def charted_words(results):

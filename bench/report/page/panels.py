@@ -5,6 +5,7 @@ from dataclasses import asdict
 from report.page.charts import COST, ERROR, Charts
 from report.page.facets import FACETS, FIRST_FACETS, choices, facts_of
 from report.page.markup import Markup, details, escaped, joined, tag
+from report.page.measured import seeds_text
 from report.page.quantities import COSTS, ERRORS, percent_text
 from report.page.words import family_text, origin_text
 from report.study.methods import LIGHT_MAP
@@ -90,7 +91,7 @@ def legend(charts):
 
 
 def panel(charts, scene, sentence):
-    origin = origin_text(charts.study.context)
+    origin = f"{origin_text(charts.study.context)}, {seeds_text(charts.study.source)}"
     return tag(
         "figure",
         tag("figcaption", tag("h3", scene), tag("p", sentence, cls="finding")),

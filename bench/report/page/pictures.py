@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from report.compare.comparison import Comparison
 from report.page.find import read_json
-from report.page.markup import image, joined, tag
+from report.page.markup import image, joined, link, tag
 from report.page.quantities import percent_text
 from report.page.words import family_text, origin_text
 from report.study.images import BUDGET_HITS, TOLERANCE
@@ -47,6 +47,10 @@ def picture_files(answers):
     return answers.with_name(f"{size}.png"), answers.with_name(f"{size}-flip.png")
 
 
+def has_pictures(answers):
+    return answers is not None and all(file.exists() for file in picture_files(answers))
+
+
 def budgets(study, scene):
     """What the reference photon map pays for about a million hits, in time and in bytes."""
     rows = [r for r in study.rows if r.scene == scene and r.method == REFERENCE_PHOTON_MAP]
@@ -64,8 +68,8 @@ def chosen_runs(study, scene, answers):
     """kind of budget -> (limit, role -> Row): the most accurate run of each family within it that has a picture."""
     made = {}
     for kind, limit in budgets(study, scene).items():
-        with_picture = [r for r in study.rows if r.scene == scene and (file := answers.get((scene, r.method, r.hits_asked))) and all(p.exists() for p in picture_files(file))]
-        found = {role: best_within([r for r in with_picture if study.family(r.method) == family], COSTS[kind][0], limit) for role, family in FAMILIES.items()}
+        drawn = [r for r in study.rows if r.scene == scene and has_pictures(answers.get((scene, r.method, r.hits_asked)))]
+        found = {role: best_within([r for r in drawn if study.family(r.method) == family], COSTS[kind][0], limit) for role, family in FAMILIES.items()}
         if all(found.values()):
             made[kind] = (limit, found)
     return made
@@ -160,6 +164,13 @@ def shown(title, picture, words, role):
     return tag("figure", tag("div", picture, cls="picture"), tag("figcaption", tag("b", title), " ", words), data_role=role)
 
 
+def difference(reference, item):
+    """Laid over each other; the style takes one from the other."""
+    both = joined([image(reference.file, "reference"), image(item.file, f"{item.title} less the reference")])
+    words = tag("figcaption", tag("b", "difference"), f" of {item.title} and reference, four times as bright")
+    return tag("figure", tag("div", both, cls="picture difference"), words)
+
+
 def strip(one):
     """Beside each other: the pictures, and of each but the reference its difference and its FLIP map."""
     figures = []
@@ -167,8 +178,7 @@ def strip(one):
     for item in one.items:
         figures.append(shown(item.title, image(item.file, f"{one.scene}, {item.title}: {item.words}"), item.words, item.role))
         if first.role == "reference" and item is not first:
-            both = joined([image(first.file, "reference"), image(item.file, f"{item.title} less the reference")])
-            figures.append(tag("figure", tag("div", both, cls="picture difference"), tag("figcaption", tag("b", "difference"), f" of {item.title} and reference, four times as bright")))
+            figures.append(difference(first, item))
         if flip := one.flips.get(item.role):
             figures.append(shown("FLIP", image(flip, f"FLIP map of the {item.title}"), f" of the {item.title}: bright where eyes see the error", None))
     return tag("div", tag("h3", f"{one.scene}, {one.title}"), tag("div", *figures, cls="strip"), cls="pictures", data_scene=one.scene, data_title=one.title)
@@ -181,7 +191,8 @@ def billion(results):
         for file in sorted((folder / "figure").glob("*.jpg")):
             context = results.context_of(folder.resolve().name)
             words = f"{folder.name}: as many hits as memory holds, light map beside photon map" + (f" ({origin_text(context)})" if context else "")
-            made.append(tag("figure", tag("a", image(results.link(file), words), href=results.link(file)), tag("figcaption", f"{words}; ", tag("a", "its report", href=results.link(folder / "report.md")), "."), cls="large"))
+            there = link(results.link(folder / "report.md"), "its report")
+            made.append(tag("figure", link(results.link(file), image(results.link(file), words)), tag("figcaption", f"{words}; ", there, "."), cls="large"))
     return joined(made)
 
 

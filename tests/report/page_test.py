@@ -162,6 +162,16 @@ class Charts(WithResults):
             self.assertEqual("dim" not in words, names[int(method)] in self.study.best_known)
         self.assertLess(len(self.study.best_known), len(METHODS))
 
+    def test_shapes_tell_methods_apart_without_colour(self):
+        """Shape, size, filling and dash of no two methods are the same."""
+        shapes = dict(re.findall(r'<path id="(\w+)" d="([^"]*)"', self.text))
+        seen = {}
+        for method, first, mark, style in re.findall(r'<g class="series[^"]*" data-method="(\d+)">.*?id="l(\d+)".*?<use href="#(\w+)"[^>]*style="([^"]*)"', self.text):
+            dash = re.search(rf'style="([^"]*)" id="l{first}"', self.text).group(1)
+            seen[method] = (shapes[mark], "fill: none" in style, *re.findall("dasharray: ([^;]*)", dash))
+        self.assertEqual(len(seen), len(METHODS))
+        self.assertEqual(len(set(seen.values())), len(METHODS))
+
     def test_theory_halves_the_slope_of_the_square(self):
         ghosts = {g["slope"]: g["line"] for g in self.data["charts"]["ghosts"]["cornell"]["hits"]}
         self.assertEqual(sorted(ghosts), [-1 / 2, -1 / 3, 0])

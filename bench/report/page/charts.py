@@ -4,16 +4,50 @@ The other fifteen pairs of axes show the same points elsewhere. They are not dra
 of the eight axes once, and the script moves points, lines and bands along them. Without the script the page shows error over time.
 """
 
+import math
+
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 from report.page import svg
 from report.page.markup import Markup, joined, tag
 from report.page.quantities import COSTS, ERRORS, Scales
 from report.page.theory import fronts, ghosts
+from report.study.methods import LIGHT_MAP
 from report.study.styles import Styles
 
 COST, ERROR = COSTS[0], ERRORS[0]  # of the chart that needs no script
 FONT = 11
+
+
+class PageStyles:
+    """The study's colours and dashes. Shapes tell methods apart without colour: filled are light maps, by basis, larger for more texels; hollow are
+    photon maps, by how they choose photons, larger for more photons or a larger radius."""
+
+    SIZES, SIZE, EDGE = (4.5, 9.5), 7, 1.4
+
+    def __init__(self, study):
+        kinds = study.kinds.values()
+        self._study, self._styles = study, Styles([kind.method for kind in kinds])
+        self._amounts = {kind.method.family: sorted({amount(k) for k in kinds if k.method.family == kind.method.family and amount(k)}) for kind in kinds}
+
+    def _size(self, kind):
+        amounts = self._amounts[kind.method.family]
+        if not amount(kind) or len(amounts) < 2:
+            return self.SIZE
+        least, most = math.log(amounts[0]), math.log(amounts[-1])
+        return self.SIZES[0] + (self.SIZES[1] - self.SIZES[0]) * (math.log(amount(kind)) - least) / (most - least)
+
+    def of(self, name):
+        kind = self._study.kinds[name]
+        style = {"fillstyle": "full", **self._styles.of(kind.method), "markersize": self._size(kind), "markeredgewidth": self.EDGE}
+        if self._study.family(name) == LIGHT_MAP:
+            return style | {"marker": kind.method.marker}
+        return style | {"fillstyle": "none"}
+
+
+def amount(kind):
+    """Texels of a light map; k, its factor or the radius of a photon map."""
+    return kind.texels or kind.method.number
 
 
 def new_axes(scales, cost, error):
@@ -53,9 +87,9 @@ def plot_series(axes, scales, rows, style):
             axes.plot([COST.of(row)] * 2, ends, color=style["color"], linewidth=1, clip_on=False, gid=f"b{row.number}")
     line = {key: style[key] for key in ("color", "linestyle")}
     axes.plot(*zip(*places), **line, linewidth=1.4, clip_on=False, gid=f"l{rows[0].number}")
-    marker = {"color": style["color"], "marker": style["marker"], "fillstyle": style.get("fillstyle", "full")}
+    marker = {key: style[key] for key in ("color", "marker", "fillstyle", "markersize", "markeredgewidth")}
     for row, place in zip(rows, places):
-        axes.plot(*[[v] for v in place], **marker, markersize=7, linestyle="none", clip_on=False, gid=f"p{row.number}")
+        axes.plot(*[[v] for v in place], **marker, linestyle="none", clip_on=False, gid=f"p{row.number}")
 
 
 def point_markup(tree, row, name):
@@ -110,7 +144,7 @@ class Charts:
         self.bright = study.best_known or self.names
         self.fronts = fronts(study)
         self.ghosts = {scene: ghosts(study, scene) for scene in study.scenes}
-        self._styles = Styles([kind.method for kind in study.kinds.values()])
+        self._styles = PageStyles(study)
         self._swatches = {}
 
     def series(self, scene):
@@ -123,7 +157,7 @@ class Charts:
         scales, series = self.scales, self.series(scene)
         figure, axes = new_axes(scales, COST, ERROR)
         for name, rows in series.items():
-            plot_series(axes, scales, rows, self._styles.of(self.study.kinds[name].method))
+            plot_series(axes, scales, rows, self._styles.of(name))
         tree = svg.tree_of(figure)
         self.markers.collect(tree)
         groups = [series_markup(tree, rows, self.names.index(name), name in self.bright) for name, rows in series.items()]

@@ -126,7 +126,10 @@ def section(charts):
     study = charts.study
     sentences = findings(charts)[pair(COST, ERROR)]
     figures = [panel(charts, scene, sentences[scene]) for scene in study.scenes]  # before the legend, which shows their marks
-    scale = "Both axes are logarithmic and the same for all scenes. Bars: 95 % bands over seeds. Values below the axis lie on its lower edge."
+    scale = (
+        "Filled marks are light maps, hollow ones photon maps; they are larger for more texels, more photons or a larger radius. Bars are 95 % bands over seeds. "
+        "Both axes are logarithmic and the same for all scenes. Values below the axis lie on its lower edge."
+    )
     return joined(
         [
             tag("p", scale, " Time is tracing, insertion, building and the search at all points; preparing a scene once is not in it."),

@@ -155,11 +155,14 @@ class Browser:
         self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
 
     def click(self, selector):
-        """In the middle of the first element, scrolled to."""
-        x, y = self.evaluate(
+        """In the middle of the first element, scrolled to; once it stands still."""
+        place = (
             f"(() => {{ const e = document.querySelector({json.dumps(selector)}); e.scrollIntoView({{block: 'center'}});"
-            " const b = e.getBoundingClientRect(); return [b.left + b.width / 2, b.top + b.height / 2]; })()"
+            " const b = e.getBoundingClientRect(); return new Promise(done => requestAnimationFrame(() => done([b.left + b.width / 2, b.top + b.height / 2]))); })()"
         )
+        before, (x, y) = None, self.evaluate(place)
+        while before != (x, y):
+            before, (x, y) = (x, y), self.evaluate(place)
         for kind in ("mousePressed", "mouseReleased"):
             self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
 

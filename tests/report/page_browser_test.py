@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
 import page_results
 from browser import Browser, find_browser
-from page_results import FEWER, METHODS, NEAREST, SCENES, SIZES
+from page_results import FEWER, NEAREST, SCENES, SIZES
 from page_test import run
 from report.page.facets import facts_of
 from report.page.find import find
@@ -208,13 +208,16 @@ class Page(unittest.TestCase):
             if self.ask("document.activeElement.matches('.point')"):
                 break
         wanted = {f"p{r.number}" for r in self.rows_of("cornell")}
-        for key in ("ArrowRight", "ArrowLeft", "ArrowUp", "ArrowDown"):
-            reached = set()
+        for key, value, sign in (("ArrowRight", "seconds", 1), ("ArrowLeft", "seconds", -1), ("ArrowUp", "error", 1), ("ArrowDown", "error", -1)):
+            reached = []
             for _ in wanted:
-                reached.add(self.focused())
+                reached.append(self.focused())
                 self.browser.press(key)
-            self.assertEqual(reached, wanted, key)
-        self.assertIn(METHODS and self.study.rows[int(self.focused()[1:])].method, self.ask("document.getElementById('tip').textContent"))
+            self.assertEqual(set(reached), wanted, key)
+            values = [sign * getattr(self.study.rows[int(p[1:])], value) for p in reached]
+            first = values.index(min(values))
+            self.assertEqual(values[first:] + values[:first], sorted(values), key)  # round and round
+        self.assertIn(self.study.rows[int(self.focused()[1:])].method, self.ask("document.getElementById('tip').textContent"))
 
     def test_grey_points_are_passed_over(self):
         self.open("show=all&f.basis=L1&f.family=light+map")

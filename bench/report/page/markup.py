@@ -52,11 +52,6 @@ def link(target, *words):
     return tag("a", *words, href=target)
 
 
-def image(file, words):
-    """Asked for when it comes into view."""
-    return tag("img", src=file, alt=words, loading="lazy", decoding="async")
-
-
 def script_json(value):
     """JSON that cannot end the script element it stands in, nor start a comment in it."""
     text = json.dumps(value, ensure_ascii=False, separators=(",", ":"), allow_nan=False)

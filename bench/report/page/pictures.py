@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 from report.compare.comparison import Comparison
 from report.page.find import read_json
-from report.page.markup import image, joined, link, tag
+from report.page.images import image
+from report.page.markup import joined, link, tag
 from report.page.quantities import percent_text
 from report.page.words import family_text, origin_text
 from report.study.images import BUDGET_HITS, TOLERANCE
@@ -164,23 +165,23 @@ def shown(title, picture, words, role):
     return tag("figure", tag("div", picture, cls="picture"), tag("figcaption", tag("b", title), " ", words), data_role=role)
 
 
-def difference(reference, item):
+def difference(results, reference, item):
     """Laid over each other; the style takes one from the other."""
-    both = joined([image(reference.file, "reference"), image(item.file, f"{item.title} less the reference")])
+    both = joined([image(results, reference.file, "reference"), image(results, item.file, f"{item.title} less the reference")])
     words = tag("figcaption", tag("b", "difference"), f" of {item.title} and reference, four times as bright")
     return tag("figure", tag("div", both, cls="picture difference"), words)
 
 
-def strip(one):
+def strip(results, one):
     """Beside each other: the pictures, and of each but the reference its difference and its FLIP map."""
     figures = []
     first = one.items[0]
     for item in one.items:
-        figures.append(shown(item.title, image(item.file, f"{one.scene}, {item.title}: {item.words}"), item.words, item.role))
+        figures.append(shown(item.title, image(results, item.file, f"{one.scene}, {item.title}: {item.words}"), item.words, item.role))
         if first.role == "reference" and item is not first:
-            figures.append(difference(first, item))
+            figures.append(difference(results, first, item))
         if flip := one.flips.get(item.role):
-            figures.append(shown("FLIP", image(flip, f"FLIP map of the {item.title}"), f" of the {item.title}: bright where eyes see the error", None))
+            figures.append(shown("FLIP", image(results, flip, f"FLIP map of the {item.title}"), f" of the {item.title}: bright where eyes see the error", None))
     return tag("div", tag("h3", f"{one.scene}, {one.title}"), tag("div", *figures, cls="strip"), cls="pictures", data_scene=one.scene, data_title=one.title)
 
 
@@ -192,7 +193,7 @@ def billion(results):
             context = results.context_of(folder.resolve().name)
             words = f"{folder.name}: as many hits as memory holds, light map beside photon map" + (f" ({origin_text(context)})" if context else "")
             there = link(results.link(folder / "report.md"), "its report")
-            made.append(tag("figure", link(results.link(file), image(results.link(file), words)), tag("figcaption", f"{words}; ", there, "."), cls="large"))
+            made.append(tag("figure", link(results.link(file), image(results, results.link(file), words)), tag("figcaption", f"{words}; ", there, "."), cls="large"))
     return joined(made)
 
 
@@ -217,4 +218,4 @@ def section(results, study):
     if not sets:
         return joined([tag("p", MADE_BY), billion(results)])
     origins = [tag("p", f"{s.name}: {origin_text(s.context)}.", cls="origin") for s in ([study.source] if study else []) + results.comparisons]
-    return joined([tag("p", WORDS), tag("div", id="viewer", cls="script-only"), tag("div", *map(strip, sets), id="strips"), *origins, billion(results)])
+    return joined([tag("p", WORDS), tag("div", id="viewer", cls="script-only"), tag("div", *(strip(results, one) for one in sets), id="strips"), *origins, billion(results)])

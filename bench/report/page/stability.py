@@ -1,6 +1,7 @@
 """Every stability case: what fails where, theory beside data, how near to the limit."""
 
-from report.page.markup import image, joined, table, tag
+from report.page.images import image
+from report.page.markup import joined, table, tag
 from report.page.words import MISSING, origin_text, plural
 from report.text import number_text
 
@@ -64,7 +65,7 @@ def case_block(results, folder, case):
         tag("p", tag("b", "Scene: "), case["scene"]),
         tag("p", tag("b", "Theory: "), case["theory"]),
         tag("p", tag("b", "What to do: "), case["advice"]),
-        tag("p", tag("a", image(results.link(chart), f"{case['name']}: theory and data"), href=results.link(chart))) if chart.is_file() else None,
+        tag("p", tag("a", image(results, results.link(chart), f"{case['name']}: theory and data"), href=results.link(chart))) if chart.is_file() else None,
         tag("p", f"{case['measured']} over {case['swept']}; {case['seeds']} seeds, ± 95 % confidence.", cls="origin"),
         table(("curve", case["swept"], "theory", "measured", "confidence", "distance from theory"), rows),
         cls="case",

@@ -344,6 +344,7 @@ class Page(unittest.TestCase):
         self.assertEqual(visible(".panel[data-scene] .point"), len(self.study.rows))
         self.assertEqual(visible("#rows tbody tr"), len(self.study.rows))
         self.assertEqual(visible(".script-only"), 0)
+        self.assertEqual(visible(".legend li"), len(self.study.best_known))
         self.assertGreater(visible(".strip img"), 2 * len(SCENES))
         row = next(r for r in self.rows_of("cornell") if r.method == NEAREST)
         found = self.ask(PLACES % "cornell")

@@ -4,13 +4,14 @@ import json
 from pathlib import Path
 
 from known_methods import facts_of
+from report.study.methods import REFERENCE_PHOTON_MAP
 from report.study.report import Report
 from report.study.summary import summary
 from study_laws import fixed_k_law, growing_k_law, light_map_law, radius_law
 from synthetic_study import CONTEXT, Law, Plan, write_study
 
 SHLM, SMALL, FLAT, FEWER = "shlm/L2/radiance/surface4", "shlm/L2/radiance/surface4/t16384", "shlm/L0/normalised/surface4", "shlm/L1/radiance/surface4"
-NEAREST, GROWING, RADIUS = "photonmap/flann/k50/disc", "photonmap/flann/k0.05n23/cone", "photonmap/flann/r0.01/disc"
+NEAREST, GROWING, RADIUS = REFERENCE_PHOTON_MAP, "photonmap/flann/k0.05n23/cone", "photonmap/flann/r0.01/disc"
 METHODS = {
     SHLM: light_map_law(),
     SMALL: light_map_law(2e-4, 80),

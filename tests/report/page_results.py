@@ -11,7 +11,7 @@ from study_laws import fixed_k_law, growing_k_law, light_map_law, radius_law
 from synthetic_study import CONTEXT, Law, Plan, write_study
 
 SHLM, SMALL, FLAT, FEWER = "shlm/L2/radiance/surface4", "shlm/L2/radiance/surface4/t16384", "shlm/L0/normalised/surface4", "shlm/L1/radiance/surface4"
-NEAREST, GROWING, RADIUS = REFERENCE_PHOTON_MAP, "photonmap/flann/k0.05n23/cone", "photonmap/flann/r0.01/disc"
+NEAREST, GROWING, RADIUS = REFERENCE_PHOTON_MAP, "photonmap/compact/k0.05n23/cone", "photonmap/compact/r0.01/disc"
 METHODS = {
     SHLM: light_map_law(),
     SMALL: light_map_law(2e-4, 80),

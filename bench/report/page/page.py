@@ -17,6 +17,7 @@ from report.page.words import MISSING
 from report.study.data import StudyError
 
 HERE = Path(__file__).resolve().parent
+SCRIPT = ("tools", "state", "runs", "charts", "one_run", "filters", "chooser", "pictures", "main")  # in this order
 NO_CLAIMS = MISSING.format("/usr/bin/python3 bench/report verdicts results/verdicts.md FOLDER...")
 NO_STUDY = MISSING.format("./reproduce, or ./reproduce --full for all methods,")
 
@@ -47,6 +48,12 @@ def section_markup(identity, title, content):
     return tag("section", tag("h2", title), content, id=identity)
 
 
+def script():
+    """One function that runs at once, so that no name of its parts is seen from outside."""
+    parts = [(HERE / "script" / f"{name}.js").read_text(encoding="utf-8") for name in SCRIPT]
+    return "\n".join(["(() => {", '"use strict";', *parts, "})();"])
+
+
 def page(results):
     """(HTML, the five lines)"""
     study = StudyRows(results.study) if results.study else None
@@ -56,7 +63,7 @@ def page(results):
     data = {"charts": panels.data(charts), "chooser": chooser.data(study)} if charts else {}
     parts = {
         "style": (HERE / "page.css").read_text(encoding="utf-8"),
-        "script": (HERE / "page.js").read_text(encoding="utf-8"),
+        "script": script(),
         "answer": tag("ol", *(tag("li", line) for line in lines), cls="answer"),
         "contents": joined(tag("a", title, href=f"#{identity}") for identity, title, _ in made),
         "shared": charts.shared() if charts else "",

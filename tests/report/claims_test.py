@@ -117,12 +117,14 @@ class Compared(unittest.TestCase):
         found = tracing_speed(comparison(rows))
         self.assertEqual(found.verdict, "not decided")
         self.assertIn("false in every scene at 1 k", found.condition)
+        self.assertIn("fails at 1 k hits, else not decided", found.plain)
 
     def test_one_run_never_decides(self):
         few = [row(LIGHT_MAP, 1000, repetitions=4), row(INCREMENTAL, 1000, build_seconds=5), row(PHOTON_MAP, 1000, build_seconds=5)]
         found = tracing_speed(comparison(few))
         self.assertEqual(found.verdict, "not decided")
         self.assertIn("0 of 1 scenes with 5 runs", found.condition)
+        self.assertIn("Beside today's strongest photon map: not decided.", found.plain)
         large = [row(m, 10**8, repetitions=3, build_seconds=t) for m, t in ((LIGHT_MAP, 1), (INCREMENTAL, 5), (PHOTON_MAP, 5))]
         self.assertEqual(tracing_speed(comparison(large)).verdict, "confirmed")
 

@@ -49,16 +49,16 @@ def finding(verdict, condition="", incremental="", strongest=""):
 SIDES = "flann-incremental: conditional (true in every scene from 1 M hits on, not at 100 k and below); the strongest engine: not decided (false in every scene at 10 k)"
 
 
-def verdict(claim, word, found, folder="side-by-side"):
-    return {"claim": claim, "says": f"The paper says {claim}", "verdict": word, "condition": "", "figure": "1.5 x at 1 M hits", "rests_on": ["a folder"],
+def verdict(claim, word, found, condition="", folder="side-by-side"):
+    return {"claim": claim, "says": f"The paper says {claim}", "verdict": word, "condition": condition, "figure": "1.5 x at 1 M hits", "rests_on": ["a folder"],
             "link": f"{folder}/report.md", "findings": {folder: found}}
 
 
 def verdicts():
     return [
-        verdict("tracing-speed", "conditional", finding("conditional", SIDES, "conditional", "not decided")),
+        verdict("tracing-speed", "conditional", finding("conditional", SIDES, "conditional", "not decided"), "It holds from 1 M hits on."),
         verdict("constant-memory", "confirmed", finding("confirmed")),
-        verdict("constant-gather", "not decided", finding("not decided", "not judged at 10 M: 0 of 4 scenes with 5 runs")),
+        verdict("constant-gather", "not decided", finding("not decided", "not judged at 10 M: 0 of 4 scenes with 5 runs"), "Too few runs at 10 M hits."),
         verdict("unheard-of", "refuted", finding("refuted", HOSTILE)),
     ]
 

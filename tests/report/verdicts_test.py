@@ -57,15 +57,15 @@ class OneTable(unittest.TestCase):
         quick, slow = self.folder("quick", self.timed()), self.folder("slow", self.timed(photons=0.1), machine="another")
         found = self.rows_of(quick, slow)["tracing-speed"]
         self.assertEqual(found["verdict"], "conditional")
-        self.assertIn("quick: confirmed", found["condition"])
-        self.assertIn("slow: refuted", found["condition"])
+        self.assertIn("In quick: holds.", found["condition"])
+        self.assertIn("In slow: fails.", found["condition"])
         self.assertEqual(len(found["rests_on"]), 2)
 
     def test_a_folder_that_decides_nothing_does_not_count(self):
         quick, once = self.folder("quick", self.timed()), self.folder("once", self.timed(photons=0.1, repetitions=1))
         found = self.rows_of(quick, once)["tracing-speed"]
         self.assertEqual(found["verdict"], "confirmed")
-        self.assertIn("once: not decided", found["condition"])
+        self.assertIn("In once: not decided.", found["condition"])
         self.assertEqual(found["link"], "quick/report.md")
 
     def test_the_papers_light_map_where_the_default_was_not_measured(self):

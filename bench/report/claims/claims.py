@@ -7,7 +7,7 @@ counts only where the ranges over the repetitions do not touch (judging.py).
 
 from report.claims.billion_hits import billion_hits
 from report.claims.finding import NOT_DECIDED, NOT_MEASURED, NOT_MEASURED_YET, Finding, not_measured
-from report.claims.judging import Outcome, has_enough_runs, judged, range_text, runs_of, sizes_in_all, verdict_by_hits
+from report.claims.judging import Outcome, has_enough_runs, judged, lacking_text, range_text, runs_of, sizes_in_all, too_few_runs, verdict_by_hits
 from report.claims.study_claims import CONVERGES, NORMAL_MAPS, accuracy_crossings, converges, normal_maps
 from report.compare.baselines import (
     BYTES,
@@ -128,9 +128,17 @@ def largest_judged(pairs, figure, scenes, form):
 
 
 def beside(comparison, baseline, figure, is_counted=lambda row: True):
-    """(the pairs that count, verdict, condition) of the light map's figure being less than the baseline's."""
+    """(the pairs that count, the judgement) of the light map's figure being less than the baseline's."""
     pairs = [pair for pair in baseline.pairs(comparison) if is_counted(pair[1])]
-    return pairs, *verdict_by_hits(outcomes_of(pairs, figure), comparison.scenes)
+    return pairs, verdict_by_hits(outcomes_of(pairs, figure), comparison.scenes)
+
+
+def side_text(baseline, judgement):
+    return with_condition(f"{baseline.name}: {judgement.verdict}", judgement.condition)
+
+
+def plain_side(baseline, judgement):
+    return f"Beside {baseline.plain_name}: {judgement.plain}."
 
 
 def with_preparation(pairs):
@@ -145,22 +153,20 @@ def both_clocks(pairs):
 
 
 def first_map_verdict(comparison, baseline):
-    """Of the first map of a scene; nothing where preparation was not measured."""
+    """Of the first map of a scene; None where preparation was not measured."""
     pairs = with_preparation(baseline.pairs(comparison))
-    if not pairs:
-        return ""
-    verdict, condition = verdict_by_hits(outcomes_of(pairs, FIRST_MAP_SECONDS), comparison.scenes)
-    return with_condition(f"for the first map of a scene, its preparation included: {verdict}", condition)
+    return verdict_by_hits(outcomes_of(pairs, FIRST_MAP_SECONDS), comparison.scenes) if pairs else None
 
 
 def tracing_speed(comparison):
     says = "SHLM tracing is faster, since there is no kd-tree insertion"
-    verdicts, clauses, conditions = [], [], []
+    verdicts, clauses, conditions, plain = [], [], [], []
     for baseline in (incremental(comparison), strongest(comparison, MAP_SECONDS)):
-        pairs, verdict, condition = beside(comparison, baseline, MAP_SECONDS)
-        verdicts.append(verdict)
-        conditions.append(with_condition(f"{baseline.name}: {verdict}", condition))
-        clauses.append(with_condition(f"Against {baseline.name}: {verdict}", condition)
+        pairs, judgement = beside(comparison, baseline, MAP_SECONDS)
+        verdicts.append(judgement.verdict)
+        conditions.append(side_text(baseline, judgement))
+        plain.append(plain_side(baseline, judgement))
+        clauses.append(f"Against {side_text(baseline, judgement)}"
                        + f": {ratios_text(pairs, MAP_SECONDS, '{:.2f}', lambda row: count_text(row['hits_asked']))}.{both_clocks(pairs)}")
     overall = combined(*verdicts)
     if overall == NOT_MEASURED_YET:
@@ -168,23 +174,25 @@ def tracing_speed(comparison):
     engine = strongest(comparison, MAP_SECONDS)
     figure, rows = largest_judged(engine.pairs(comparison), MAP_SECONDS, comparison.scenes, "{:.2f}")
     if first := first_map_verdict(comparison, engine):
-        conditions.append(first)
+        conditions.append(with_condition(f"for the first map of a scene, its preparation included: {first.verdict}", first.condition))
+        plain.append(f"The first map of a scene, its preparation included: {first.plain}.")
     return Finding("tracing-speed", says, overall,
                    "Time to a finished map (an empty store, trace, insert, build), photon map over SHLM. " + " ".join(clauses), *verdicts,
-                   condition="; ".join(conditions), figure=figure, scenes=tuple(comparison.scenes), runs=runs_of(rows))
+                   condition="; ".join(conditions), plain=" ".join(plain), figure=figure, scenes=tuple(comparison.scenes), runs=runs_of(rows))
 
 
 def faster_gather(comparison, study):
     says = "The search is faster where more than one photon falls on a texel"
-    verdicts, clauses, conditions, faster_below = [], [], [], []
+    verdicts, clauses, conditions, plain, faster_below = [], [], [], [], []
     engine = strongest(comparison, GATHER_US, is_as_accurate(comparison, study))
     for baseline in (incremental(comparison), engine):
-        above, verdict, condition = beside(comparison, baseline, GATHER_US, lambda row: row["hits_per_texel"] > 1)
+        _, judgement = beside(comparison, baseline, GATHER_US, lambda row: row["hits_per_texel"] > 1)
         pairs = baseline.pairs(comparison)
         faster_below += [o.sign < 0 for o in outcomes_of([p for p in pairs if p[1]["hits_per_texel"] <= 1], GATHER_US)]
-        verdicts.append(verdict)
-        conditions.append(with_condition(f"{baseline.name}: {verdict}", condition))
-        clauses.append(with_condition(f"Against {baseline.name}: {verdict}", condition) + ": "
+        verdicts.append(judgement.verdict)
+        conditions.append(side_text(baseline, judgement))
+        plain.append(plain_side(baseline, judgement))
+        clauses.append(f"Against {side_text(baseline, judgement)}: "
                        + ratios_text(pairs, GATHER_US, "{:.1f}", lambda row: f"{row['hits_per_texel']:.2g}") + ".")
     overall = combined(*verdicts)
     if overall == NOT_MEASURED_YET:
@@ -196,7 +204,7 @@ def faster_gather(comparison, study):
                    f"Photon map's time per query over SHLM's, at hits per texel. {' '.join(clauses)}{note} "
                    + (accuracy_crossings(study) if study and comparison.light_map == REFERENCE_LIGHT_MAP else
                       "The errors are not equal, so this is a statement about time alone."), *verdicts,
-                   condition="; ".join(conditions), figure=figure, scenes=tuple(comparison.scenes), runs=runs_of(rows))
+                   condition="; ".join(conditions), plain=" ".join(plain), figure=figure, scenes=tuple(comparison.scenes), runs=runs_of(rows))
 
 
 # --- constant, however many hits
@@ -225,7 +233,7 @@ def constant_insert(comparison):
                    f"Slowest over fastest median from one hit per texel on: {listing(spreads)}; beyond the noise (bound {bound}): {listing(sure)}. "
                    f"Photon maps, a hit's share of the build included: {'; '.join(clauses)}. "
                    f"ns a hit and thread, the difference between walls with and without the store: {listing(each, '{:.0f}')}.", *verdicts,
-                   condition=lacking, figure=f"spread {range_text(spreads.values())}" if spreads else "",
+                   condition=lacking_text(lacking), plain=too_few_runs(lacking) if own == NOT_DECIDED else "", figure=f"spread {range_text(spreads.values())}" if spreads else "",
                    scenes=tuple(spreads or all_rows), runs=runs_of([row for series in (rows if spreads else all_rows).values() for row in series]))
 
 
@@ -262,16 +270,18 @@ def constant_memory(comparison):
     own = "confirmed" if max(spreads.values()) < bound else "refuted"
     sizes = {scene: series[0]["bytes"] / 2**20 for scene in comparison.scenes if (series := comparison.series(scene, comparison.light_map))}
     working = {scene: series[-1].get("insert_bytes", 0) / 2**20 for scene in sizes if (series := comparison.series(scene, comparison.light_map))}
-    verdicts, clauses, conditions = [], [], []
+    verdicts, clauses, conditions, plain = [], [], [], []
     for baseline in (incremental(comparison), strongest(comparison, BYTES)):
         verdicts.append(constancy_against(own, sure_growth(baseline_rows(comparison, baseline), BYTES), bound))
         if smaller := crossings(comparison, baseline):
             clauses.append(f" {baseline.name} is the smaller one below " + ", ".join(f"{count_text(h)} hits ({s})" for s, h in smaller.items()) + ".")
-            conditions.append(f"{baseline.name} is the smaller map below {range_text([h / 1e6 for h in smaller.values()])} M hits")
+            below = f"is the smaller map below {range_text([h / 1e6 for h in smaller.values()])} M hits"
+            conditions.append(f"{baseline.name} {below}")
+            plain.append(f"{baseline.plain_name[0].upper()}{baseline.plain_name[1:]} {below}.")
     return Finding("constant-memory", says, own,
                    f"Bytes of the map, {hits_range(rows)}: largest over smallest {listing(spreads, '{:.4f}')}; MiB: {listing(sizes, '{:.1f}')}, "
                    f"while they are filled {listing(working, '{:.1f}')}." + "".join(clauses) + peak_text(comparison), *verdicts,
-                   condition="; ".join(conditions), figure=f"{range_text(sizes.values(), '{:.1f}')} MiB, {hits_range(rows)}", scenes=tuple(spreads), runs=runs_of(rows))
+                   condition="; ".join(conditions), plain=" ".join(plain), figure=f"{range_text(sizes.values(), '{:.1f}')} MiB, {hits_range(rows)}", scenes=tuple(spreads), runs=runs_of(rows))
 
 
 FEW, MANY, SAME_TIME = 10**5, 10**9, 1.05
@@ -313,7 +323,7 @@ def constant_gather(comparison, study=None):
     return Finding("constant-gather", says, own,
                    f"Slowest over fastest median over {hits_range(rows_of(comparison, comparison.light_map))}: {listing(spreads)}; "
                    f"beyond the noise (bound {bound}): {listing(sure)}; {billion_text}. Photon maps: {'; '.join(clauses)}.", *verdicts,
-                   condition=lacking, figure=f"spread {range_text(spreads.values())}" if spreads else "",
+                   condition=lacking_text(lacking), plain=too_few_runs(lacking) if own == NOT_DECIDED else "", figure=f"spread {range_text(spreads.values())}" if spreads else "",
                    scenes=tuple(spreads or all_rows), runs=runs_of([row for series in (rows if spreads else all_rows).values() for row in series]))
 
 

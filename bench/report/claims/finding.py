@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 NOT_MEASURED, NOT_DECIDED = "not measured", "not decided"
 NOT_MEASURED_YET = "not measured yet"
+PLAIN = {"confirmed": "holds", "refuted": "fails", "conditional": "holds if"}  # other verdicts say it themselves
 
 
 @dataclass
@@ -15,6 +16,7 @@ class Finding:
     incremental: str = ""  # the verdict against flann-incremental; empty where the claim has no such side
     strongest: str = ""  # and against the strongest engine, see baselines.py
     condition: str = ""  # where it is true; what is missing where it is not decided
+    plain: str = ""  # the condition in a sentence or two for who has not read the rest; empty where there is none
     figure: str = ""  # one number with its range
     scenes: tuple = ()  # that it rests on
     runs: tuple = ()  # fewest and most repetitions or seeds of what it rests on

@@ -9,6 +9,7 @@ from report.study.methods import REFERENCE_LIGHT_MAP, REFERENCE_PHOTON_MAP, TRAD
 NORMAL_MAPS = ("normal-maps", "The map lights normal-mapped surfaces")
 CONVERGES = ("converges", "Accumulation can go on indefinitely, to maximum convergence")
 
+STAYS = "the noise vanishes, the blur of the texels and the truncation of the series stay"
 SLOPE_TOLERANCE = 0.1  # from -1, for noise that falls as 1 / hits
 CLEARLY_BETTER = 4.0  # in bias^2: half of the relative bias
 TILTED = 20.0  # degrees between shading and geometric normal from which on a surface counts as tilted
@@ -82,7 +83,8 @@ def converges(summary, light_map=REFERENCE_LIGHT_MAP):
         (floor if verdict == "conditional" else "")
         + "; ".join(floor_words(name, scene, light_map, texels) for name, scene in scenes.items())
         + f" ({light_map}, {texels} texels; slopes of {own_hits(light_map)} where it was measured).",
-        condition="the noise vanishes, the blur of the texels and the truncation of the series stay" if verdict == "conditional" else "",
+        condition=STAYS if verdict == "conditional" else "",
+        plain=f"{STAYS[0].upper()}{STAYS[1:]}." if verdict == "conditional" else "",
         figure=f"error {range_text(errors, '{:.2g}')} % at {count(max(p['hits'] for p in last))} hits",
         scenes=tuple(scenes),
         runs=runs,
@@ -141,12 +143,14 @@ def normal_maps(summary, light_map=REFERENCE_LIGHT_MAP):
     words = [bent_normals_words(name, summary["scenes"][name], light_map, points, flat) for name, (_, _, points, flat) in scenes.items()]
     biases = [100 * math.sqrt(max(0.0, mine)) for mine, _, _, _ in scenes.values()]
     flats = [100 * math.sqrt(flat) for *_, flat in scenes.values()]
+    differing = "" if len(set(verdicts.values())) == 1 else "; ".join(f"{name} {verdict}" for name, verdict in verdicts.items())
     return Finding(
         *NORMAL_MAPS,
         decided(verdicts, runs),
         f"Relative RMS bias where the normal is bent by {TILTED:.0f} degrees and more (confirmed: the light map's band is below half of what a "
         f"traditional one has): {'. '.join(words)}.",
-        condition="" if len(set(verdicts.values())) == 1 else "; ".join(f"{name} {verdict}" for name, verdict in verdicts.items()),
+        condition=differing,
+        plain=f"By scene: {differing}." if differing else "",
         figure=f"bias {range_text(biases, '{:.2g}')} % beside {range_text(flats, '{:.2g}')} %",
         scenes=tuple(scenes),
         runs=runs,

@@ -11,7 +11,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from report.claims.claims import measured_by_study, measured_here
-from report.claims.finding import NOT_DECIDED, NOT_MEASURED_YET
+from report.claims.finding import NOT_DECIDED, NOT_MEASURED_YET, PLAIN
 from report.claims.judging import RUNS, RUNS_OF_LARGE
 from report.compare.comparison import LIGHT_MAP, Comparison
 from report.text import machine_text
@@ -62,17 +62,12 @@ def rests_on(source, finding):
     return f"{source.folder.name}: {count} scene{'s' * (count != 1)} ({', '.join(finding.scenes)}), {runs_text(finding.runs)}, {source.light_map}, {machine}"
 
 
-def conditions(found):
-    """Each folder's; a folder whose verdict is another's says so."""
+def conditions(found, leader):
+    """In plain words: of the folder that the figure is of, and whose verdict is another."""
+    texts = [finding.plain for source, finding in found if source is leader]
     verdict = overall([f.verdict for _, f in found])
-    texts = []
-    for source, finding in found:
-        text = finding.condition
-        if finding.verdict != verdict:
-            text = f"{finding.verdict}" + (f" ({text})" if text else "")
-        if text:
-            texts.append(f"{source.folder.name}: {text}" if len(found) > 1 else text)
-    return "; ".join(texts)
+    texts += [f"In {source.folder.name}: {PLAIN.get(f.verdict, f.verdict)}." for source, f in found if f.verdict != verdict]
+    return " ".join(filter(None, texts))
 
 
 def rows_of(sources, out):
@@ -88,7 +83,7 @@ def rows_of(sources, out):
                 "claim": claim,
                 "says": finding.says,
                 "verdict": overall([f.verdict for _, f in found]),
-                "condition": conditions(found),
+                "condition": conditions(found, best),
                 "figure": finding.figure,
                 "rests_on": [rests_on(source, f) for source, f in found],
                 "link": link.as_posix(),

@@ -127,6 +127,7 @@ class Baseline:
     """Gives the row of a scene and number of hits that the light map is held against; None without one."""
 
     name: str
+    plain_name: str  # for who does not know the engines
     row: Callable  # (scene, hits_asked) -> row or None
 
     def pairs(self, comparison):
@@ -140,7 +141,7 @@ class Baseline:
 
 
 def incremental(comparison):
-    return Baseline("flann-incremental", lambda scene, hits: comparison.row(scene, INCREMENTAL, hits))
+    return Baseline("flann-incremental", "a tree that takes photons one by one", lambda scene, hits: comparison.row(scene, INCREMENTAL, hits))
 
 
 def strongest(comparison, figure, admits=lambda method, scene, hits: True):
@@ -151,7 +152,7 @@ def strongest(comparison, figure, admits=lambda method, scene, hits: True):
         rows = [row for method in methods if admits(method, scene, hits) and (row := comparison.row(scene, method, hits))]
         return min(rows, key=figure.value, default=None)
 
-    return Baseline("the strongest engine", row)
+    return Baseline("the strongest engine", "today's strongest photon map", row)
 
 
 def sign_of(mine, theirs, figure):

@@ -1,7 +1,7 @@
 """The paper's claims: verdict, condition, number, what it rests on, links."""
 
+from report.claims.finding import PLAIN
 from report.page.markup import details, joined, link, tag
-from report.page.plain import plain_condition, verdict_word
 from report.page.words import date_text, listed, plural
 
 CHARTS = {  # claim -> the chart of its report that shows it
@@ -30,7 +30,7 @@ CLASSES = {"confirmed": "holds", "refuted": "fails", "conditional": "if", "not d
 
 def badge(verdict):
     symbol = tag("span", SYMBOLS.get(verdict, "·"), aria_hidden="true")
-    return tag("span", symbol, " ", verdict_word(verdict), cls=f"badge {CLASSES.get(verdict, 'open')}")
+    return tag("span", symbol, " ", PLAIN.get(verdict, verdict), cls=f"badge {CLASSES.get(verdict, 'open')}")
 
 
 def leading(verdicts, row):
@@ -38,12 +38,6 @@ def leading(verdicts, row):
     name = (verdicts.folder / row["link"]).resolve().parent.name
     found = row["findings"]
     return (name, found[name]) if name in found else next(iter(found.items()))
-
-
-def differing(row, leader):
-    """Folders whose verdict is not the leader's, in words."""
-    others = [f"{name}: {verdict_word(f['verdict'])}" for name, f in row["findings"].items() if f["verdict"] != row["findings"][leader]["verdict"]]
-    return f"Elsewhere: {', '.join(others)}." if others else ""
 
 
 def basis(results, name, finding):
@@ -75,7 +69,7 @@ def long_text(row):
 def claim_row(results, verdicts, row):
     name, finding = leading(verdicts, row)
     meaning = FIGURES.get(row["claim"])
-    condition = " ".join(filter(None, (plain_condition(finding), differing(row, name))))
+    condition = row["condition"]
     return tag(
         "tr",
         tag("td", badge(row["verdict"])),

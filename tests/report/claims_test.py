@@ -145,6 +145,12 @@ class Compared(unittest.TestCase):
         rows[-1]["repetitions"] = 1
         self.assertEqual(constant_insert(comparison(rows)).verdict, "confirmed")
 
+    def test_constant_within_the_noise_is_not_decided(self):
+        rows = [row(LIGHT_MAP, hits, noise=1.0, insert_ns=t) for hits, t in ((1000, 1), (10_000, 1.4))]
+        found = constant_insert(comparison(rows))
+        self.assertEqual(found.verdict, "not decided")
+        self.assertIn("may be noise", found.plain)
+
     def test_constant_memory_and_gather(self):
         rows = [row(LIGHT_MAP, 1000), row(LIGHT_MAP, 10_000)]
         self.assertEqual(constant_memory(comparison(rows)).verdict, "confirmed")

@@ -7,7 +7,7 @@ counts only where the ranges over the repetitions do not touch (judging.py).
 
 from report.claims.billion_hits import billion_hits
 from report.claims.finding import NOT_DECIDED, NOT_MEASURED, NOT_MEASURED_YET, Finding, not_measured
-from report.claims.judging import Outcome, has_enough_runs, judged, lacking_text, range_text, runs_of, sizes_in_all, too_few_runs, verdict_by_hits
+from report.claims.judging import Outcome, has_enough_runs, judged, lacking_text, range_text, runs_of, sizes_in_all, why_not_decided, verdict_by_hits
 from report.claims.study_claims import CONVERGES, NORMAL_MAPS, accuracy_crossings, converges, normal_maps
 from report.compare.baselines import (
     BYTES,
@@ -233,7 +233,7 @@ def constant_insert(comparison):
                    f"Slowest over fastest median from one hit per texel on: {listing(spreads)}; beyond the noise (bound {bound}): {listing(sure)}. "
                    f"Photon maps, a hit's share of the build included: {'; '.join(clauses)}. "
                    f"ns a hit and thread, the difference between walls with and without the store: {listing(each, '{:.0f}')}.", *verdicts,
-                   condition=lacking_text(lacking), plain=too_few_runs(lacking) if own == NOT_DECIDED else "", figure=f"spread {range_text(spreads.values())}" if spreads else "",
+                   condition=lacking_text(lacking), plain=why_not_decided(lacking) if own == NOT_DECIDED else "", figure=f"spread {range_text(spreads.values())}" if spreads else "",
                    scenes=tuple(spreads or all_rows), runs=runs_of([row for series in (rows if spreads else all_rows).values() for row in series]))
 
 
@@ -323,7 +323,7 @@ def constant_gather(comparison, study=None):
     return Finding("constant-gather", says, own,
                    f"Slowest over fastest median over {hits_range(rows_of(comparison, comparison.light_map))}: {listing(spreads)}; "
                    f"beyond the noise (bound {bound}): {listing(sure)}; {billion_text}. Photon maps: {'; '.join(clauses)}.", *verdicts,
-                   condition=lacking_text(lacking), plain=too_few_runs(lacking) if own == NOT_DECIDED else "", figure=f"spread {range_text(spreads.values())}" if spreads else "",
+                   condition=lacking_text(lacking), plain=why_not_decided(lacking) if own == NOT_DECIDED else "", figure=f"spread {range_text(spreads.values())}" if spreads else "",
                    scenes=tuple(spreads or all_rows), runs=runs_of([row for series in (rows if spreads else all_rows).values() for row in series]))
 
 

@@ -119,9 +119,11 @@ def sizes_in_all(rows_by_scene):
     return kept, tuple(lacking)
 
 
-def too_few_runs(lacking):
-    """For what is not decided: why, in plain words."""
-    return f"Too few runs at {' and '.join(words.split(':')[0] for words in lacking)} hits." if lacking else ""
+def why_not_decided(lacking):
+    """In plain words."""
+    if lacking:
+        return f"Too few runs at {' and '.join(words.split(':')[0] for words in lacking)} hits."
+    return "What sizes differ by may be noise: their ranges over the runs touch."
 
 
 def runs_of(rows):

@@ -5,8 +5,10 @@ A figure is followed by a marker that names its file and key, which no reader se
     0.87 s<!-- =side-by-side/compare.json rows/[scene=cornell,method=shlm,hits_asked=1e6]/build_seconds -->
 
 FILE is relative to the text's folder, or to results/ beside it. A key is a path through the JSON: names, numbers of list elements, [NAME] for a name with
-slashes, and [NAME=VALUE,...], which chooses the one element that has these. A third word says how the number is to be read: % (times 100), ms, us, ns, M (millions),
-KiB, MiB, GiB, root% (100 times the root of a mean square), /PATH (divided by the number at that path of the same file). The printed number must be the data's, rounded to as many digits as it has.
+slashes, [NAME=VALUE,...] for the element that has these, * for all. "least" or "most" before it chooses of several: most rows/[method=shlm]/bytes MiB.
+
+A word after it says how the number is to be read: % (times 100), ms, us, ns, M (millions), KiB, MiB, GiB, root% (100 times the root of a mean square),
+/PATH (divided by the number at that path of the same file). The printed number must be the data's, rounded to as many digits as it has.
 
 A part of a text between <!-- copy of FILE --> and <!-- end of copy --> must be in FILE word for word.
 
@@ -49,10 +51,7 @@ def same(value, text):
 
 def chosen(elements, condition):
     wanted = dict(part.split("=", 1) for part in condition.split(","))
-    found = [e for e in elements if all(name in e and same(e[name], value) for name, value in wanted.items())]
-    if len(found) != 1:
-        raise StaleFigure(f"[{condition}] is {len(found)} elements")
-    return found[0]
+    return [e for e in elements if all(name in e and same(e[name], value) for name, value in wanted.items())]
 
 
 def steps_of(path):
@@ -60,34 +59,53 @@ def steps_of(path):
     return re.findall(r"\[[^\]]*\]|[^/\[\]]+", path)
 
 
-def value_at(data, path):
+def one_step(data, step):
+    """All that the step leads to."""
+    if step == "*":
+        return list(data.values()) if isinstance(data, dict) else data
+    if step.startswith("[") and "=" in step:
+        return chosen(data, step[1:-1])
+    if isinstance(data, list):
+        return data[int(step) :][:1]
+    name = step[1:-1] if step.startswith("[") else step
+    return [data[name]] if name in data else []
+
+
+def values_at(data, path):
+    """Of every way that the path leads; a way that ends before is left out."""
+    found = [data]
     for step in steps_of(path):
-        if step.startswith("[") and "=" not in step:
-            step = step[1:-1]
-        if step.startswith("["):
-            data = chosen(data, step[1:-1])
-        elif isinstance(data, list):
-            data = data[int(step)]
-        elif step in data:
-            data = data[step]
-        else:
-            raise StaleFigure(f"there is no {step} in {path}")
-    return data
+        found = [value for place in found for value in one_step(place, step)]
+    if not all(isinstance(value, (int, float)) for value in found):
+        raise StaleFigure(f"{path} is no number")
+    return found
+
+
+def in_unit(values, unit, data):
+    if unit == "root%":
+        return [100 * math.sqrt(value) for value in values]
+    if unit.startswith("/"):
+        others = values_at(data, unit[1:])
+        if len(others) != len(values):
+            raise StaleFigure(f"{unit[1:]} is {len(others)} numbers")
+        return [value / other for value, other in zip(values, others)]
+    return [value * UNITS[unit] for value in values]
+
+
+CHOICES = {"least": min, "most": max}
 
 
 def value_of(data, words):
-    """Of PATH, or PATH UNIT: names in a path may have spaces."""
+    """Of [least|most] PATH [UNIT]: names in a path may have spaces."""
+    choice, _, rest = words.partition(" ")
+    choose, words = (CHOICES[choice], rest) if choice in CHOICES else (None, words)
     path, _, unit = words.rpartition(" ")
     if not (unit in UNITS or unit == "root%" or unit.startswith("/")):
         path, unit = words, ""
-    value = value_at(data, path)
-    if not isinstance(value, (int, float)):
-        raise StaleFigure(f"{path} is no number")
-    if unit == "root%":
-        return 100 * math.sqrt(value)
-    if unit.startswith("/"):
-        return value / value_at(data, unit[1:])
-    return value * UNITS[unit]
+    values = values_at(data, path)
+    if not values or (len(values) > 1 and not choose):
+        raise StaleFigure(f"{path} is {len(values)} numbers")
+    return (choose or min)(in_unit(values, unit, data))
 
 
 def half_of_last_digit(text):

@@ -49,6 +49,13 @@ class Figures(unittest.TestCase):
         self.assertEqual(self.problems("5 %<!-- =data.json rows/0/error root% -->"), [])
         self.assertEqual(len(self.problems("6 %<!-- =data.json rows/0/error root% -->")), 1)
 
+    def test_ends_of_a_range_are_found_among_all(self):
+        for number, words in (("0.023", "least rows/*/seconds"), ("0.047", "most rows/[hits=1e6]/seconds"), ("46.8", "most rows/*/seconds ms"),
+                              ("0.0025", "least rows/*/error"), ("2.0", "most rows/[method=photonmap]/seconds /rows/[method=shlm/L2]/seconds")):
+            self.assertEqual(self.problems(f"{number}<!-- =data.json {words} -->"), [], words)
+        for number, words in (("0.05", "least rows/*/seconds"), ("0.023", "rows/*/seconds"), ("1", "least rows/*/none"), ("2", "most rows/*/seconds /rows/0/seconds")):
+            self.assertEqual(len(self.problems(f"{number}<!-- =data.json {words} -->")), 1, words)
+
     def test_what_is_not_there_is_stale(self):
         for marker in ("none.json x", "data.json rows/[method=none]/hits", "data.json rows/[hits=1e6]/seconds", "data.json rows/0/none",
                        "data.json rows/9/hits", "data.json rows", "data.json rows/0/hits furlongs"):

@@ -46,6 +46,7 @@ class OneTable(unittest.TestCase):
         self.assertEqual(found["rests_on"], [f"quick: 1 scene (room), 5 runs, {LIGHT_MAP}, a machine"])
         self.assertEqual(found["link"], "quick/report.md")
         self.assertIn("x at 1 k hits", found["figure"])
+        self.assertEqual(found["findings"]["quick"]["ratios"]["the strongest engine"], {"1000": [7 / 3, 7 / 3]})
         self.assertIn("| [tracing-speed](quick/report.md) |", self.text)
 
     def test_what_nobody_measured_is_not_there(self):

@@ -127,6 +127,13 @@ def largest_judged(pairs, figure, scenes, form):
     return f"{range_text(ratios, form)} x at {count_text(hits)} hits", [row for pair in at_size for row in pair]
 
 
+def ratio_ranges(pairs, figure, scenes):
+    """hits -> (least, most) of the baseline's figure over the light map's, of those sizes that are judged."""
+    signs, _ = judged(outcomes_of(pairs, figure), scenes)
+    ratios = {hits: [figure.value(theirs) / figure.value(mine) for _, mine, theirs in pairs if mine["hits_asked"] == hits] for hits in signs}
+    return {str(hits): (min(values), max(values)) for hits, values in ratios.items()}
+
+
 def beside(comparison, baseline, figure, is_counted=lambda row: True):
     """(the pairs that count, the judgement) of the light map's figure being less than the baseline's."""
     pairs = [pair for pair in baseline.pairs(comparison) if is_counted(pair[1])]
@@ -160,9 +167,10 @@ def first_map_verdict(comparison, baseline):
 
 def tracing_speed(comparison):
     says = "SHLM tracing is faster, since there is no kd-tree insertion"
-    verdicts, clauses, conditions, plain = [], [], [], []
+    verdicts, clauses, conditions, plain, ratios = [], [], [], [], {}
     for baseline in (incremental(comparison), strongest(comparison, MAP_SECONDS)):
         pairs, judgement = beside(comparison, baseline, MAP_SECONDS)
+        ratios[baseline.name] = ratio_ranges(pairs, MAP_SECONDS, comparison.scenes)
         verdicts.append(judgement.verdict)
         conditions.append(side_text(baseline, judgement))
         plain.append(plain_side(baseline, judgement))
@@ -178,16 +186,18 @@ def tracing_speed(comparison):
         plain.append(f"The first map of a scene, its preparation included: {first.plain}.")
     return Finding("tracing-speed", says, overall,
                    "Time to a finished map (an empty store, trace, insert, build), photon map over SHLM. " + " ".join(clauses), *verdicts,
-                   condition="; ".join(conditions), plain=" ".join(plain), figure=figure, scenes=tuple(comparison.scenes), runs=runs_of(rows))
+                   condition="; ".join(conditions), plain=" ".join(plain), figure=figure, ratios=ratios,
+                   scenes=tuple(comparison.scenes), runs=runs_of(rows))
 
 
 def faster_gather(comparison, study):
     says = "The search is faster where more than one photon falls on a texel"
-    verdicts, clauses, conditions, plain, faster_below = [], [], [], [], []
+    verdicts, clauses, conditions, plain, faster_below, ratios = [], [], [], [], [], {}
     engine = strongest(comparison, GATHER_US, is_as_accurate(comparison, study))
     for baseline in (incremental(comparison), engine):
         _, judgement = beside(comparison, baseline, GATHER_US, lambda row: row["hits_per_texel"] > 1)
         pairs = baseline.pairs(comparison)
+        ratios[baseline.name] = ratio_ranges(pairs, GATHER_US, comparison.scenes)
         faster_below += [o.sign < 0 for o in outcomes_of([p for p in pairs if p[1]["hits_per_texel"] <= 1], GATHER_US)]
         verdicts.append(judgement.verdict)
         conditions.append(side_text(baseline, judgement))
@@ -204,7 +214,8 @@ def faster_gather(comparison, study):
                    f"Photon map's time per query over SHLM's, at hits per texel. {' '.join(clauses)}{note} "
                    + (accuracy_crossings(study) if study and comparison.light_map == REFERENCE_LIGHT_MAP else
                       "The errors are not equal, so this is a statement about time alone."), *verdicts,
-                   condition="; ".join(conditions), plain=" ".join(plain), figure=figure, scenes=tuple(comparison.scenes), runs=runs_of(rows))
+                   condition="; ".join(conditions), plain=" ".join(plain), figure=figure, ratios=ratios,
+                   scenes=tuple(comparison.scenes), runs=runs_of(rows))
 
 
 # --- constant, however many hits

@@ -1,6 +1,6 @@
 """What became of one of the paper's claims."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 NOT_MEASURED, NOT_DECIDED = "not measured", "not decided"
 NOT_MEASURED_YET = "not measured yet"
@@ -18,6 +18,7 @@ class Finding:
     condition: str = ""  # where it is true; what is missing where it is not decided
     plain: str = ""  # the condition in a sentence or two for who has not read the rest; empty where there is none
     figure: str = ""  # one number with its range
+    ratios: dict = field(default_factory=dict)  # photon map -> hits -> (least, most) over the scenes of its figure over the light map's
     scenes: tuple = ()  # that it rests on
     runs: tuple = ()  # fewest and most repetitions or seeds of what it rests on
 

@@ -64,6 +64,8 @@ class Reports(Folder):
         text = (self.folder / "report.md").read_text(encoding="utf-8")
         self.assertIn("| 250\u00a0ms | 3\u00a0MiB |", text)  # once a scene
         self.assertIn("## Who reaches an error first", text)
+        self.assertIn("## Where the light map is more accurate at equal hits", text)
+        self.assertIn("| hits | bumpy |", text)
         for name in (
             "best",
             "time-methods",

@@ -3,7 +3,7 @@
 from report.study.first import first_rows
 from report.study.groups import GROUP_TEXT, GROUP_TITLES
 from report.study.slopes import FIRST_HITS, VARIANCE_OVER_BIAS
-from report.study.tables import crossing_table, front_table, full_table, reach_table, slope_table, table
+from report.study.tables import crossing_overview, crossing_table, front_table, full_table, reach_table, slope_table, table
 from report.text import bytes_text, number_text, percent_text, seconds_text
 
 REACH_NOTE = (
@@ -65,7 +65,9 @@ def target_lines(report):
 
 
 def crossing_lines(report):
-    return by_scene(report, "Crossings", CROSSING_NOTE, lambda s: crossing_table(report.findings[s]))
+    overview = crossing_overview(report.findings)
+    head = ["## Where the light map is more accurate at equal hits", "", *overview, ""] if overview else []
+    return head + by_scene(report, "Crossings", CROSSING_NOTE, lambda s: crossing_table(report.findings[s]))
 
 
 def slope_lines(report):

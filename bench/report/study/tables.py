@@ -138,6 +138,30 @@ def less_text(less, unit_text, density_text=lambda x: ""):
     return ", ".join(part(low, high) for low, high in less.intervals)
 
 
+def where_text(less):
+    """As less_text, without bands and ranges: from 2 M, up to 2 M, 1 M to 5 M, always, never."""
+    if less.range is None:
+        return NOTHING
+    if less.always or less.never:
+        return "always" if less.always else "never"
+
+    def part(low, high):
+        if high is None:
+            return f"from {hits_text(low)}"
+        return f"up to {hits_text(high)}" if low is None else f"{hits_text(low)} to {hits_text(high)}"
+
+    return ", ".join(part(low, high) for low, high in less.intervals)
+
+
+def crossing_overview(findings):
+    """`findings`: scene -> SceneFindings. At equal hits, all scenes side by side."""
+    names = list(dict.fromkeys(name for found in findings.values() for name in found.crossings))
+    rows = [
+        [name, *(where_text(found.crossings[name].hits) if name in found.crossings else NOTHING for found in findings.values())] for name in names
+    ]
+    return table(["hits", *findings], rows) if rows else []
+
+
 def density_text_of(texels):
     return lambda hits: f" ({number_text(hits / texels, 2)}/texel)" if texels else ""
 

@@ -22,6 +22,7 @@ from report.page.find import find
 from report.page.quantities import COSTS, ERRORS
 from report.page.rows import StudyRows
 from report.page.theory import fronts
+from report.text import seconds_text
 
 LONGEST_SENTENCE = 40  # words
 
@@ -229,12 +230,13 @@ class Words(WithResults):
         self.assertEqual(lines[0], "Of the paper's 4 claims 1 holds, 1 holds under a condition, 1 fails and 1 is not decided yet.")
 
     def test_who_is_first_is_who_is_cheapest(self):
-        line = answer.first_line(self.study)
+        line, costs = answer.first_line(self.study), answer.cost_line(self.study)
         for scene in SCENES:
-            rows = [r for r in self.study.rows if r.scene == scene and r.error <= 5]
-            first = min(rows, key=lambda r: r.seconds)
-            who = "light map" if first.method.startswith("shlm") else "photon map"
+            reached = self.study.source.document["scenes"][scene]["seconds_to_reach"]["0.05"]
+            first = min((m for m in reached if reached[m]["cost"] is not None), key=lambda m: reached[m]["cost"])
+            who = "light map" if first.startswith("shlm") else "photon map"
             self.assertRegex(line, rf"{who} in [^;]*{scene}")
+            self.assertIn(seconds_text(reached[first]["cost"]), costs)
 
     def test_sentences_are_short(self):
         for line in answer.lines(self.results, self.study):

@@ -1,6 +1,8 @@
 """The answer in five lines, from the results at hand: the head of the page, and what the command prints."""
 
-from report.page.chooser import TARGET, offers
+from dataclasses import dataclass
+
+from report.page.chooser import TARGET
 from report.page.claims import finding_text
 from report.page.measured import seeds_text
 from report.page.quantities import percent_text
@@ -16,28 +18,44 @@ def claims_line(results):
     return finding_text(results.verdicts[0].document) if results.verdicts else "The paper's claims are not judged here: bench/report verdicts does that."
 
 
+@dataclass(frozen=True)
+class Cheapest:
+    """Of one family: what its fastest method takes to the target, between measured sizes as the study has it; else its least error."""
+
+    family: str
+    seconds: float = None
+    bytes: float = None
+    least_error: float = None
+
+    @property
+    def text(self):
+        if self.seconds is None:
+            return f"{percent_text(self.least_error)} at best" if self.least_error else "not measured"
+        return f"{seconds_text(self.seconds)}, {bytes_text(self.bytes)}"
+
+
+def cheapest(study, scene, family):
+    entry, target = study.source.document["scenes"][scene], f"{TARGET / 100:g}"
+    reached = {m: r["cost"] for m, r in entry["seconds_to_reach"][target].items() if r["cost"] is not None and study.family(m) == family}
+    if reached:
+        method = min(reached, key=reached.get)
+        return Cheapest(family, reached[method], entry["bytes_to_reach"][target][method]["cost"])
+    errors = [r.error for r in study.rows if r.scene == scene and r.error and study.family(r.method) == family]
+    return Cheapest(family, least_error=min(errors, default=None))
+
+
 def of_families(study, scene):
-    """The light map's offer and the photon map's, None where there is none."""
-    found = {offer.family: offer for offer in offers(study, scene, TARGET, "seconds")}
-    return found.get(LIGHT_MAP), found.get(PHOTON_MAP)
+    return cheapest(study, scene, LIGHT_MAP), cheapest(study, scene, PHOTON_MAP)
 
 
 def first_line(study):
     """Who reaches the target first, by scene."""
     firsts = {"light map": [], "photon map": [], "nobody": []}
     for scene in study.scenes:
-        first = min((o for o in of_families(study, scene) if o and o.reached), key=lambda o: o.row.seconds, default=None)
+        first = min((c for c in of_families(study, scene) if c.seconds is not None), key=lambda c: c.seconds, default=None)
         firsts["nobody" if first is None else "light map" if first.family == LIGHT_MAP else "photon map"].append(scene)
     words = [f"{who} in {listed(scenes)}" for who, scenes in firsts.items() if scenes]
     return f"First to {TARGET:g} % error: {'; '.join(words)}."
-
-
-def cost_text(offer):
-    if offer is None:
-        return "not measured"
-    if not offer.reached:
-        return f"{percent_text(offer.row.error)} at best"
-    return f"{seconds_text(offer.row.seconds)}, {bytes_text(offer.row.bytes)}"
 
 
 def cost_line(study):
@@ -45,8 +63,8 @@ def cost_line(study):
     words = []
     for scene in study.scenes:
         light, photon = of_families(study, scene)
-        if any(o and o.reached for o in (light, photon)):
-            words.append(f"{scene} {cost_text(light)} against {cost_text(photon)}")
+        if light.seconds is not None or photon.seconds is not None:
+            words.append(f"{scene} {light.text} against {photon.text}")
     return f"Light map against photon map at {TARGET:g} %: {'; '.join(words)}." if words else f"Nobody reaches {TARGET:g} % here; see the best of each below."
 
 

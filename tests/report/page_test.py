@@ -412,6 +412,12 @@ class Parts(unittest.TestCase):
             self.assertIn(command, text)
         self.assertIn("broken", text)
 
+    def test_own_runs_beside_the_kept_results_are_left_out(self):
+        for name in ("stability", "latest"):
+            page_results.write(self.root / name / "stability.json", page_results.stability())
+        self.assertEqual([source.name for source in find(self.out, [self.root]).stability], ["stability"])
+        self.assertEqual([source.name for source in find(self.out, [self.root / "latest"]).stability], ["latest"])
+
     def test_studies_are_not_joined(self):
         page_results.add_study(self.root / "study")
         shutil.copytree(self.root / "study", self.root / "older")

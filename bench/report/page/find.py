@@ -93,13 +93,16 @@ PLACES = {  # part -> files of one folder
 NEEDED = {"studies": "scenes", "comparisons": "rows", "stability": "rows"}  # what a part cannot do without
 
 
+OWN_RUNS = "latest"  # what ./reproduce leaves beside the kept results; it has a page of its own
+
+
 def folders_of(given):
     """Each folder, then those in it, in order and once."""
     found = []
     for folder in map(Path, given):
         if not folder.is_dir():
             raise StudyError(f"{folder} is no folder")
-        children = sorted(child for child in folder.iterdir() if child.is_dir())
+        children = sorted(child for child in folder.iterdir() if child.is_dir() and child.name != OWN_RUNS)
         found += [f for f in (folder, *children) if f.resolve() not in {known.resolve() for known in found}]
     return found
 

@@ -75,7 +75,9 @@ TEST(LightStatistics, BlocksAtTheEdgesOfRegionsDoNotCountForMore) {
 
 /// A tenth of the light beyond every fifth row or so of blocks.
 TEST(LightStatistics, EdgesOfLightAreHardlyTakenForNoise) {
-    const auto striped = [](float /*x*/, float y) { return static_cast<int>(y * 256) % 19 < 10 ? 16.0 : 1.6; };
+    const auto striped = [](float /*x*/, float y) {
+        return static_cast<int>(y * 256) % 19 < 10 ? 16.0 : 1.6;
+    };
     EXPECT_LT(estimated_noise({1, 65536, 0.2, striped}) / true_noise(0.2), 1.4);
 }
 

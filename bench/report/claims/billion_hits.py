@@ -1,6 +1,6 @@
 """The paper's headline: a billion hits on a desktop PC, and where the photon map's memory ends."""
 
-from report.claims.finding import NOT_DECIDED, NOT_MEASURED, NOT_MEASURED_YET, Finding
+from report.claims.finding import NOT_DECIDED, NOT_MEASURED, NOT_MEASURED_YET, Finding, sentence
 from report.claims.judging import has_enough_runs, range_text, runs_of
 from report.compare.baselines import is_exact, one_per_engine
 from report.compare.comparison import INCREMENTAL, map_seconds
@@ -61,9 +61,9 @@ def billion_hits(comparison):
         return Finding("billion-hits", SAYS, NOT_MEASURED_YET, text)
     rows = [row for scene in comparison.scenes for row in comparison.series(scene, comparison.light_map) if row["hits"] >= BILLION]
     enough = all(has_enough_runs(row) for row in rows)
+    condition = "" if enough else "done in every run that was made, but in fewer than 3 a scene"
     speeds = [row["hits"] / map_seconds(row) / 1e6 for row in rows]
     return Finding("billion-hits", SAYS, "confirmed" if enough else NOT_DECIDED, text, verdict_against(comparison, [INCREMENTAL]),
                    verdict_against(comparison, [method for method in photon_maps if is_exact(comparison, method)]),
-                   condition="" if enough else "done in every run that was made, but in fewer than 3 a scene",
-                   plain="" if enough else "Done in every run that was made, but in fewer than 3 a scene.",
+                   condition=condition, plain=sentence(condition),
                    figure=f"{range_text(speeds, '{:.1f}')} M hits/s", scenes=tuple(row["scene"] for row in rows), runs=runs_of(rows))

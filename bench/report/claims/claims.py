@@ -6,8 +6,8 @@ counts only where the ranges over the repetitions do not touch (judging.py).
 """
 
 from report.claims.billion_hits import billion_hits
-from report.claims.finding import NOT_DECIDED, NOT_MEASURED, NOT_MEASURED_YET, Finding, not_measured
-from report.claims.judging import Outcome, has_enough_runs, judged, lacking_text, range_text, runs_of, sizes_in_all, why_not_decided, verdict_by_hits
+from report.claims.finding import NOT_DECIDED, NOT_MEASURED, NOT_MEASURED_YET, Finding, not_measured, sentence
+from report.claims.judging import Outcome, has_enough_runs, judged, lacking_text, range_text, runs_of, sizes_in_all, verdict_by_hits, why_not_decided
 from report.claims.study_claims import CONVERGES, NORMAL_MAPS, accuracy_crossings, converges, normal_maps
 from report.compare.baselines import (
     BYTES,
@@ -118,20 +118,18 @@ def outcomes_of(pairs, figure):
 
 def largest_judged(pairs, figure, scenes, form):
     """The ratio over all scenes at the largest size that is judged, in words, and the rows it is from."""
-    signs, _ = judged(outcomes_of(pairs, figure), scenes)
-    if not signs:
+    ranges = ratio_ranges(pairs, figure, scenes)
+    if not ranges:
         return "", []
-    hits = max(signs)
-    at_size = [(mine, theirs) for _, mine, theirs in pairs if mine["hits_asked"] == hits]
-    ratios = [figure.value(theirs) / figure.value(mine) for mine, theirs in at_size]
-    return f"{range_text(ratios, form)} x at {count_text(hits)} hits", [row for pair in at_size for row in pair]
+    hits = max(ranges)
+    return f"{range_text(ranges[hits], form)} x at {count_text(hits)} hits", [row for pair in pairs if pair[1]["hits_asked"] == hits for row in pair[1:]]
 
 
 def ratio_ranges(pairs, figure, scenes):
     """hits -> (least, most) of the baseline's figure over the light map's, of those sizes that are judged."""
     signs, _ = judged(outcomes_of(pairs, figure), scenes)
     ratios = {hits: [figure.value(theirs) / figure.value(mine) for _, mine, theirs in pairs if mine["hits_asked"] == hits] for hits in signs}
-    return {str(hits): (min(values), max(values)) for hits, values in ratios.items()}
+    return {hits: (min(values), max(values)) for hits, values in ratios.items()}
 
 
 def beside(comparison, baseline, figure, is_counted=lambda row: True):
@@ -168,7 +166,8 @@ def first_map_verdict(comparison, baseline):
 def tracing_speed(comparison):
     says = "SHLM tracing is faster, since there is no kd-tree insertion"
     verdicts, clauses, conditions, plain, ratios = [], [], [], [], {}
-    for baseline in (incremental(comparison), strongest(comparison, MAP_SECONDS)):
+    engine = strongest(comparison, MAP_SECONDS)
+    for baseline in (incremental(comparison), engine):
         pairs, judgement = beside(comparison, baseline, MAP_SECONDS)
         ratios[baseline.name] = ratio_ranges(pairs, MAP_SECONDS, comparison.scenes)
         verdicts.append(judgement.verdict)
@@ -179,7 +178,6 @@ def tracing_speed(comparison):
     overall = combined(*verdicts)
     if overall == NOT_MEASURED_YET:
         return Finding("tracing-speed", says, overall, "needs shlm and a photon map")
-    engine = strongest(comparison, MAP_SECONDS)
     figure, rows = largest_judged(engine.pairs(comparison), MAP_SECONDS, comparison.scenes, "{:.2f}")
     if first := first_map_verdict(comparison, engine):
         conditions.append(with_condition(f"for the first map of a scene, its preparation included: {first.verdict}", first.condition))
@@ -288,7 +286,7 @@ def constant_memory(comparison):
             clauses.append(f" {baseline.name} is the smaller one below " + ", ".join(f"{count_text(h)} hits ({s})" for s, h in smaller.items()) + ".")
             below = f"is the smaller map below {range_text([h / 1e6 for h in smaller.values()])} M hits"
             conditions.append(f"{baseline.name} {below}")
-            plain.append(f"{baseline.plain_name[0].upper()}{baseline.plain_name[1:]} {below}.")
+            plain.append(sentence(f"{baseline.plain_name} {below}"))
     return Finding("constant-memory", says, own,
                    f"Bytes of the map, {hits_range(rows)}: largest over smallest {listing(spreads, '{:.4f}')}; MiB: {listing(sizes, '{:.1f}')}, "
                    f"while they are filled {listing(working, '{:.1f}')}." + "".join(clauses) + peak_text(comparison), *verdicts,

@@ -23,5 +23,10 @@ class Finding:
     runs: tuple = ()  # fewest and most repetitions or seeds of what it rests on
 
 
+def sentence(text):
+    """Of a condition or a name and what is said of it; empty where there is none."""
+    return f"{text[0].upper()}{text[1:]}." if text else ""
+
+
 def not_measured(claim, says):
     return Finding(claim, says, NOT_MEASURED_YET, "")

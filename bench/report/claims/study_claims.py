@@ -2,7 +2,7 @@
 
 import math
 
-from report.claims.finding import NOT_DECIDED, Finding, not_measured
+from report.claims.finding import NOT_DECIDED, Finding, not_measured, sentence
 from report.claims.judging import RUNS_OF_LARGE, range_text
 from report.study.methods import REFERENCE_LIGHT_MAP, REFERENCE_PHOTON_MAP, TRADITIONAL_LIGHT_MAP
 
@@ -75,6 +75,7 @@ def converges(summary, light_map=REFERENCE_LIGHT_MAP):
     runs = seeds_of(summary, scenes, light_map)
     if runs and runs[0] < RUNS_OF_LARGE:
         verdict = NOT_DECIDED
+    condition = STAYS if verdict == "conditional" else ""
     errors = [100 * math.sqrt(p["error"]) for p in last]
     floor = f"The noise falls as 1 / hits (its slope within {SLOPE_TOLERANCE:g} of -1) over all sizes measured; what stays is the texels' blur and the truncated series, which more hits do not lower. "
     return Finding(
@@ -83,8 +84,8 @@ def converges(summary, light_map=REFERENCE_LIGHT_MAP):
         (floor if verdict == "conditional" else "")
         + "; ".join(floor_words(name, scene, light_map, texels) for name, scene in scenes.items())
         + f" ({light_map}, {texels} texels; slopes of {own_hits(light_map)} where it was measured).",
-        condition=STAYS if verdict == "conditional" else "",
-        plain=f"{STAYS[0].upper()}{STAYS[1:]}." if verdict == "conditional" else "",
+        condition=condition,
+        plain=sentence(condition),
         figure=f"error {range_text(errors, '{:.2g}')} % at {count(max(p['hits'] for p in last))} hits",
         scenes=tuple(scenes),
         runs=runs,

@@ -6,11 +6,10 @@ from report.page.chooser import TARGET
 from report.page.claims import finding_text
 from report.page.measured import seeds_text
 from report.page.quantities import percent_text
-from report.page.words import listed, origin_text, plural
+from report.page.words import PHOTON_MAP, listed, origin_text, plural
 from report.study.methods import LIGHT_MAP
 from report.text import bytes_text, hits_text, number_text, seconds_text
 
-PHOTON_MAP = "photonmap"
 NO_STUDY = "Who reaches an error first is not known here: ./reproduce measures it."
 
 

@@ -8,7 +8,7 @@ import math
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 from report.page import svg
-from report.page.markup import Markup, joined, tag
+from report.page.markup import Markup, joined, scrolling, tag
 from report.page.words import MISSING, date_text, plural
 from report.text import number_text
 
@@ -103,7 +103,7 @@ def ratios_table(lines, part):
     heads = joined(tag("th", words_of(line), tag("br"), tag("small", date_text(line["date"])), scope="col") for line in lines)
     rows = joined(tag("tr", tag("td", name), *(cell(line[part].get(name)) for line in lines)) for name in names)
     made = tag("table", tag("thead", tag("tr", tag("th", "head over base", scope="col"), heads)), tag("tbody", rows))
-    return tag("div", made, cls="scroll", tabindex="0", role="region", aria_label=f"history of {part}")
+    return scrolling(made, f"history of {part}")
 
 
 def finding(lines):

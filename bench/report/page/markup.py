@@ -40,8 +40,11 @@ def table(heads, rows, **attributes):
     """In a box of its own that scrolls. A cell is text or markup; end tags that HTML does without are left out."""
     head = joined(tag("th", head, scope="col") for head in heads)
     body = Markup("\n".join("<tr>" + "".join(f"<td>{escaped(cell)}" for cell in row) for row in rows))
-    inner = tag("table", tag("thead", tag("tr", head)), tag("tbody", body), **attributes)
-    return tag("div", inner, cls="scroll", tabindex="0", role="region", aria_label="table")
+    return scrolling(tag("table", tag("thead", tag("tr", head)), tag("tbody", body), **attributes), "table")
+
+
+def scrolling(inner, label):
+    return tag("div", inner, cls="scroll", tabindex="0", role="region", aria_label=label)
 
 
 def details(summary, *children, **attributes):

@@ -5,15 +5,12 @@ from report.page.words import date_text, plural
 from report.text import bytes_text
 
 NOT_RECORDED = "not recorded"
-SETTINGS = ("instruction_set", "instructions", "isa")  # names that a context may have for it
 
 
 def instructions_text(context):
     """What the machine's instruction set was, as far as the results say."""
-    named = next((str(context[key]) for key in SETTINGS if key in context), None)
-    flags = str(context.get("flags", ""))
-    built = next((flag for flag in flags.split() if flag.startswith("-march=")), None)
-    return named or (f"{NOT_RECORDED}; built with {built}" if built else NOT_RECORDED)
+    built = next((flag for flag in str(context.get("flags", "")).split() if flag.startswith("-march=")), None)
+    return f"{NOT_RECORDED}; built with {built}" if built else NOT_RECORDED
 
 
 def seeds_text(source):

@@ -13,13 +13,13 @@ from report.page.find import read_json
 from report.page.images import image
 from report.page.markup import joined, link, tag
 from report.page.quantities import percent_text
-from report.page.words import family_text, origin_text
+from report.page.words import PHOTON_MAP, family_text, origin_text
 from report.study.images import BUDGET_HITS, TOLERANCE
 from report.study.methods import LIGHT_MAP, REFERENCE_PHOTON_MAP
 from report.text import bytes_text, hits_text, number_text, seconds_text
 
 COSTS = {"time": (lambda r: r.seconds, seconds_text), "bytes": (lambda r: r.bytes, bytes_text)}
-FAMILIES = {"light-map": LIGHT_MAP, "photon-map": "photonmap"}
+FAMILIES = {"light-map": LIGHT_MAP, "photon-map": PHOTON_MAP}
 KEPT = "images/page"
 MADE_BY = "Pictures are kept when the page is made beside a study's raw answers: ./reproduce does that."
 

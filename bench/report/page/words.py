@@ -1,6 +1,7 @@
 """Words that several sections share."""
 
-FAMILY = {"shlm": "light map", "photonmap": "photon map"}  # what people call the program's families
+PHOTON_MAP = "photonmap"  # of the program's families, beside report.study.methods.LIGHT_MAP
+FAMILY = {"shlm": "light map", PHOTON_MAP: "photon map"}  # what people call the program's families
 MISSING = "Not measured here. {} makes it."
 
 

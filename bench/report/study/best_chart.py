@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 from report.sheet import Sheet, log_log
-from report.study.first import is_photon_map
+from report.study.first import of_kind
 from report.study.front import all_points, pareto_front
 
 PANEL = (2.35, 2.5)  # inches
@@ -21,7 +21,7 @@ TOP = 120
 
 
 def front_of_kind(curves, photon_maps):
-    return pareto_front(all_points({n: c for n, c in curves.items() if is_photon_map(c) == photon_maps}), lambda p: p.seconds)
+    return pareto_front(all_points(of_kind(curves, photon_maps)), lambda p: p.seconds)
 
 
 def draw_scene(axes, curves):

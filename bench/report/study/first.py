@@ -9,6 +9,10 @@ def is_photon_map(curve):
     return curve.method.engine != ""
 
 
+def of_kind(curves, photon_maps):
+    return {name: curve for name, curve in curves.items() if is_photon_map(curve) == photon_maps}
+
+
 def fastest(curves, reaches):
     """Of these curves the name that reaches the target in least time; None where nobody does."""
     return next(iter(winners({name: reaches[name] for name in curves})), None)
@@ -51,7 +55,7 @@ def ratio_text(light, photons):
 
 
 def rows_of_scene(scene, curves, found):
-    kinds = [{n: c for n, c in curves.items() if is_photon_map(c) == wanted} for wanted in (False, True)]
+    kinds = [of_kind(curves, photon_maps) for photon_maps in (False, True)]
     for target in TARGETS:
         light, photons = (side(kind, found, target) for kind in kinds)
         if light[1] is not None or photons[1] is not None or target == TARGETS[0]:

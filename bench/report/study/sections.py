@@ -32,8 +32,6 @@ FULL_NOTE = (
 FRONT_NOTE = (
     "Runs that no other beats in both cost and error, in ascending order of cost, with hits (relative RMS)."
 )
-
-
 FIRST_NOTE = (
     "The light map and the photon map that reach the error in least time, chosen in hindsight, with the bytes of each. Time is "
     "everything until all points are answered, less what is done once for a scene. Ratio: photon map over light map, time and "

@@ -125,15 +125,16 @@ def less_text(less, unit_text, density_text=lambda x: ""):
         return f"never ({unit_text(less.range[0])} to {unit_text(less.range[1])})"
 
     band = f" [{unit_text(less.band[0])}, {unit_text(less.band[1])}]" if less.band else ""
+    return intervals_text(less, unit_text, lambda end: f"{density_text(end)}{band}")
+
+
+def intervals_text(less, unit_text, after_end=lambda end: ""):
+    """`after_end`: what stands behind the only end of an open interval."""
 
     def part(low, high):
         if high is None:
-            return f"from {unit_text(low)}{density_text(low)}{band}"
-        return (
-            f"up to {unit_text(high)}{density_text(high)}{band}"
-            if low is None
-            else f"{unit_text(low)} to {unit_text(high)}"
-        )
+            return f"from {unit_text(low)}{after_end(low)}"
+        return f"up to {unit_text(high)}{after_end(high)}" if low is None else f"{unit_text(low)} to {unit_text(high)}"
 
     return ", ".join(part(low, high) for low, high in less.intervals)
 
@@ -144,13 +145,7 @@ def where_text(less):
         return NOTHING
     if less.always or less.never:
         return "always" if less.always else "never"
-
-    def part(low, high):
-        if high is None:
-            return f"from {hits_text(low)}"
-        return f"up to {hits_text(high)}" if low is None else f"{hits_text(low)} to {hits_text(high)}"
-
-    return ", ".join(part(low, high) for low, high in less.intervals)
+    return intervals_text(less, hits_text)
 
 
 def crossing_overview(findings):

@@ -63,6 +63,6 @@ def bytes_text(count):
 
 def machine_text(context):
     libraries = context.get("libraries", {})
-    known = [f"{context[key]}" for key in ("machine", "compiler") if key in context]
+    known = [f"{context[key]}" for key in ("machine", "instruction_set", "compiler") if key in context]
     known += [f"{name} {version}" for name, version in libraries.items() if name in ("embree", "flann")]
     return ", ".join(known + [f"commit {context.get('commit', 'unknown')}"])

@@ -19,6 +19,7 @@
 #include "bench/setup/build_info.h"
 #include "bench/setup/commit.h"
 #include "common/tracer/embree.h"
+#include "common/tracer/embree_scene.h"
 
 namespace bench {
 namespace {
@@ -58,6 +59,7 @@ Json libraries() {
 
 Json provenance() {
     return {{"machine", cpu_name()},
+            {"instruction_set", common::instruction_set(common::start_embree().get())},
             {"cores", std::thread::hardware_concurrency()},
             {"memory_bytes", static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
                                  static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE))},

@@ -7,7 +7,8 @@
 
 namespace bench {
 
-/// machine, cores, memory_bytes, compiler, flags, libraries, commit (of the build), built and date (UTC).
+/// machine, instruction_set, cores, memory_bytes, compiler, flags, libraries, commit (of the build), built
+/// and date (UTC).
 [[nodiscard]] nlohmann::ordered_json provenance();
 
 /// The same for an image's header, as shlmbench:KEY.

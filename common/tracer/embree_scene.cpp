@@ -29,6 +29,21 @@ EmbreeDevice start_embree() {
     return device;
 }
 
+std::string instruction_set(RTCDeviceTy* device) {
+    const auto native = [&](RTCDeviceProperty packets) { return rtcGetDeviceProperty(device, packets) != 0; };
+    const int widest = native(RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)  ? 16
+                       : native(RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) ? 8
+                                                                           : 4;
+#if defined(__x86_64__)
+    if (widest == 16) return "AVX-512";
+    if (widest == 8) return __builtin_cpu_supports("avx2") ? "AVX2" : "AVX";
+    return "SSE4.2";
+#elif defined(__aarch64__)
+    if (widest == 4) return "NEON";
+#endif
+    return fmt::format("packets of {} rays", widest);
+}
+
 EmbreeScene make_embree_scene(RTCDeviceTy* device, std::span<const Vec3> position,
                               std::span<const TriangleVertices> triangle, EmbreeFilter filter) {
     EmbreeScene scene(rtcNewScene(device));

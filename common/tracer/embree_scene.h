@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 #include "common/scene/scene.h"
 
@@ -24,6 +25,10 @@ using EmbreeFilter = void (*)(const RTCFilterFunctionNArguments* arguments);
 
 /// Throws std::runtime_error where Embree does not start.
 [[nodiscard]] EmbreeDevice start_embree();
+
+/// The widest vectors that Embree uses on this machine: AVX-512, AVX2, AVX, SSE4.2 or NEON; its hits differ
+/// between them in the last bits. Elsewhere the rays of its widest packets, such as "packets of 4 rays".
+[[nodiscard]] std::string instruction_set(RTCDeviceTy* device);
 
 /// Builds Embree's acceleration structure; triangle i is its primitive i. Rays do not slip through shared
 /// edges. Throws std::runtime_error where Embree fails.

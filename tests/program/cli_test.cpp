@@ -306,8 +306,8 @@ TEST_F(Render, WritesHalfFloatsWithTheirOriginAndAPicture) {
     EXPECT_EQ(spec.get_string_attribute("shlmbench:seed"), "7");
     EXPECT_NE(spec.get_string_attribute("shlmbench:settings").find("texels=262144"), std::string::npos);
     EXPECT_GE(std::stod(std::string(spec.get_string_attribute("shlmbench:hits"))), 2000);
-    for (const char* name :
-         {"photons_emitted", "machine", "compiler", "flags", "libraries", "commit", "date"})
+    for (const char* name : {"photons_emitted", "machine", "instruction_set", "compiler", "flags",
+                             "libraries", "commit", "date"})
         EXPECT_NE(spec.get_string_attribute(std::string("shlmbench:") + name), "") << name;
     const auto png = OIIO::ImageInput::open(path("image.png"));
     ASSERT_TRUE(png);

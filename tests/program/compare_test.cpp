@@ -15,8 +15,8 @@ TEST_F(Compare, WritesItsTable) {
              "--methods", "photonmap,photonmap/flann-incremental,shlm,photonmap/flann", "--out", out});
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
     const Json table = Json::parse(text_of(out + "/compare.json"));
-    for (const char* key :
-         {"machine", "commit", "compiler", "flags", "libraries", "date", "seed", "threads", "settings"})
+    for (const char* key : {"machine", "instruction_set", "commit", "compiler", "flags", "libraries", "date",
+                            "seed", "threads", "settings"})
         EXPECT_TRUE(table["context"].contains(key)) << key;
     ASSERT_EQ(table["rows"].size(), 3u);
     for (std::size_t i = 0; i < 2; ++i) {

@@ -56,8 +56,8 @@ TEST_F(ReferenceCommand, WritesItsImageWithItsOriginAndAPicture) {
     EXPECT_EQ(notes.at("shlmbench:paths_not_found"), "none");
     EXPECT_EQ(notes.at("shlmbench:samples_dropped"), "0");
     EXPECT_EQ(notes.at("shlmbench:fingerprint").size(), 16u);
-    for (const char* name :
-         {"relative_error", "camera", "machine", "compiler", "flags", "libraries", "commit", "date"})
+    for (const char* name : {"relative_error", "camera", "machine", "instruction_set", "compiler", "flags",
+                             "libraries", "commit", "date"})
         EXPECT_NE(notes.at(std::string("shlmbench:") + name), "") << name;
     for (const auto& point : image.pixel) {
         ASSERT_TRUE(point.present);  // the room is closed

@@ -46,8 +46,8 @@ TEST_F(Study, HasARowForEachMethodSizeAndSeed) {
         }
         EXPECT_FALSE(row.contains("skipped"));
     }
-    for (const char* key : {"machine", "commit", "compiler", "flags", "libraries", "built", "date", "threads",
-                            "settings", "lights_and_camera"})
+    for (const char* key : {"machine", "instruction_set", "commit", "compiler", "flags", "libraries", "built",
+                            "date", "threads", "settings", "lights_and_camera"})
         EXPECT_TRUE(table_of(finished_study())["context"].contains(key)) << key;
     const std::string report = text_of(finished_study() / "report.md");
     for (const std::string& method : some_methods)

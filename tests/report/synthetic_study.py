@@ -18,6 +18,7 @@ REFERENCE_VARIANCE = 1e-6  # v_R
 
 CONTEXT = {
     "machine": "synthetic",
+    "instruction_set": "AVX2",
     "cores": 2,
     "memory_bytes": 8e9,
     "compiler": "none",

@@ -158,7 +158,7 @@ inline std::map<Key, Json> by_key(const Json& rows) {
 }
 
 /// The same but for what depends on the moment: times, and the bytes of an index, which are measured at the
-/// allocator.
+/// allocator, where threads that start meanwhile take a page or two.
 inline void expect_same_rows(const Json& actual, const Json& expected) {
     std::map<Key, Json> a = by_key(actual), b = by_key(expected);
     ASSERT_EQ(a.size(), b.size());
@@ -167,7 +167,7 @@ inline void expect_same_rows(const Json& actual, const Json& expected) {
         Json& other = b[key];
         for (const char* name : {"bytes", "insert_bytes"}) {
             const double bytes = other[name];
-            EXPECT_NEAR(row[name].get<double>(), bytes, 0.02 * bytes) << name << " of " << row;
+            EXPECT_NEAR(row[name].get<double>(), bytes, 0.02 * bytes + 8192) << name << " of " << row;
         }
         for (const char* name : {"prepare_seconds", "trace_seconds", "insert_seconds", "build_seconds",
                                  "gather_seconds", "bytes", "insert_bytes"}) {

@@ -13,7 +13,7 @@ using namespace bench::micro;
 
 void add_context(const SharedInputs& inputs) {
     const nlohmann::ordered_json facts = bench::provenance();
-    for (const char* key : {"machine", "compiler", "flags", "commit"})
+    for (const char* key : {"machine", "instruction_set", "compiler", "flags", "commit"})
         benchmark::AddCustomContext(key, facts[key].get<std::string>());
     benchmark::AddCustomContext("scene", inputs.loaded().name);
     benchmark::AddCustomContext("seed", std::to_string(micro_seed));

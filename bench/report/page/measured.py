@@ -8,7 +8,9 @@ NOT_RECORDED = "not recorded"
 
 
 def instructions_text(context):
-    """What the machine's instruction set was, as far as the results say."""
+    """The instruction set that Embree used; results from before it was recorded have at most the compiler's flag."""
+    if known := context.get("instruction_set"):
+        return known
     built = next((flag for flag in str(context.get("flags", "")).split() if flag.startswith("-march=")), None)
     return f"{NOT_RECORDED}; built with {built}" if built else NOT_RECORDED
 

@@ -5,11 +5,16 @@ import math
 NOTHING = "-"
 
 
+def three_digits(value):
+    """1234.5 -> '1230': no exponent where a unit follows."""
+    return f"{float(f'{value:.3g}'):g}"
+
+
 def count_text(number):
     """12345678 -> '12.3 M'"""
     for unit, name in ((1e9, "G"), (1e6, "M"), (1e3, "k")):
         if number >= unit:
-            return f"{number / unit:.3g} {name}"
+            return f"{three_digits(number / unit)} {name}"
     return f"{number:.3g}"
 
 
@@ -47,17 +52,15 @@ def percent_text(error):
 
 
 def seconds_text(seconds):
-    return (
-        f"{number_text(seconds)}\u00a0s"
-        if seconds >= 1 or not is_number(seconds)
-        else f"{number_text(1e3 * seconds)}\u00a0ms"
-    )
+    if not is_number(seconds):
+        return NOTHING
+    return f"{three_digits(seconds)}\u00a0s" if seconds >= 1 else f"{number_text(1e3 * seconds)}\u00a0ms"
 
 
 def bytes_text(count):
     for unit, name in ((2**40, "TiB"), (2**30, "GiB"), (2**20, "MiB"), (2**10, "KiB")):
         if count >= unit:
-            return f"{count / unit:.3g}\u00a0{name}"
+            return f"{three_digits(count / unit)}\u00a0{name}"
     return f"{count:.0f}\u00a0B"
 
 

@@ -14,12 +14,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 import page_results
 from browser import Browser, find_browser
 from page_results import FEWER, NEAREST, SCENES, SIZES
-from page_test import run
+from page_test import offer_by_hand, run
+from report.page.chooser import hits_word, offers
 from report.page.facets import facts_of
 from report.page.find import find
 from report.page.rows import StudyRows
 
-SECTIONS = ("claims", "choose", "charts", "pictures", "stability", "fits", "history", "measured", "words")
+SECTIONS = ("claims", "choose", "charts", "pictures", "stability", "elsewhere", "fits", "history", "measured", "words")
 COSTS, ERRORS = ("seconds", "bytes", "working", "hits"), ("error", "bias", "noise", "flip")
 UNITS = {"": 1, "%": 1, "ms": 1e-3, "s": 1, "k": 1e3, "M": 1e6, "G": 1e9, "B": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30}
 NARROW = 400
@@ -161,14 +162,9 @@ class Page(unittest.TestCase):
         return [tuple(o) for o in self.ask("[...document.querySelectorAll('#offers tbody tr')].map(r => [+r.dataset.row, r.dataset.reached === 'true'])")]
 
     def by_hand(self, scene, target, cost):
-        found = []
-        for family in ("shlm", "photonmap"):
-            rows = [r for r in self.rows_of(scene) if r.method.startswith(family)]
-            within = [r for r in rows if r.error <= target]
-            best = min(within, key=lambda r: (getattr(r, cost), r.error)) if within else min(rows, key=lambda r: r.error)
-            found.append((best, bool(within)))
-        found.sort(key=lambda f: (not f[1], getattr(f[0], cost) if f[1] else f[0].error))
-        return [(row.number, reached) for row, reached in found]
+        found = [offer_by_hand(self.study.rows, scene, family, target, cost) for family in ("shlm", "photonmap")]
+        found.sort(key=lambda f: (not f[0], f[2] if f[0] else self.study.rows[f[1]].error))
+        return [(number, reached) for reached, number, _ in found]
 
     def test_the_chooser_gives_the_cheapest(self):
         for target in (30, 10, 5, 1):
@@ -184,13 +180,14 @@ class Page(unittest.TestCase):
         self.assertEqual(self.offered(), self.by_hand("cornell", 9, "seconds"))
         self.assertIn("need=9", self.ask("location.hash"))
         command = self.ask("document.querySelector('#offers .command').textContent")
-        row = self.study.rows[self.offered()[0][0]]
-        self.assertIn(f"scenes/cornell.glb --method {row.method} --hits {row.hits_asked:.0e}".replace("e+0", "e"), command)
+        offer = offers(self.study, "cornell", 9, "seconds")[0]
+        self.assertIn(f"scenes/cornell.glb --method {offer.row.method} --hits {hits_word(offer.hits)} ", command)
 
     def test_the_script_says_what_the_page_says_without_it(self):
         cells = "[...document.querySelectorAll('#offers tbody tr')].map(r => [...r.cells].map(c => c.textContent.replace('copy', '').trim()))"
         self.open()
         with_script = self.ask(cells)
+        self.assertIn("%", "".join(cell for row in with_script for cell in row[6]))
         self.browser.scripts(False)
         self.open()
         self.assertEqual(self.ask(cells), with_script)

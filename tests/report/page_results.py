@@ -82,10 +82,19 @@ def fit():
     def choice(method, size):
         return {"method": method, "hits": 5e5, "error": 0.08, "seconds": 0.1, "bytes": size}
 
-    runs = [{"seed": 2, "error": 0.09, "worst_share": 0.1}, {"seed": 3, "error": 0.11, "worst_share": 0.1}]
+    runs = [{"seed": seed, "error": error, "worst_share": 0.1, "seconds": 0.1, "bytes": 1e4} for seed, error in ((2, 0.09), (3, 0.11))]
     return {"context": CONTEXT, "scene": "cornell", "target": 0.1, "least": "bytes",
             "light_map": {"reached": True, "choice": choice(SHLM, 1e4), "verified": runs},
             "photon_map": {"reached": False, "reason": "noise"}}
+
+
+def elsewhere():
+    """One scene that is as it should be, one that was refused."""
+    error = {"value": 0.004, "chance": 0.001}
+    row = {"asked": "shlm", "method": SHLM, "hits": 1e6, "mean": error, "worst_region": error, "rms": 0.03}
+    hall = {"name": "hall", "context": {**CONTEXT, "commit": "dddddddddddd"}, "info": {"triangles": 1234}, "methods": [row],
+            "reference": {"samples_per_pixel": 64, "relative_error": 0.01}, "fit": {"reason": "no time"}, "verdict": "within"}
+    return {"scenes": [hall, {"name": "crypt", "failed": HOSTILE}]}
 
 
 def entry(ratio, word):
@@ -122,6 +131,8 @@ def write_results(root):
     write(root / "side-by-side" / "compare.json", comparison())
     (root / "side-by-side" / "report.md").write_text("# A report\n")
     write(root / "stability" / "stability.json", stability())
+    write(root / "elsewhere" / "elsewhere.json", elsewhere())
+    (root / "elsewhere" / "report.md").write_text("# A report\n")
     write(root / "models" / "fit" / "cornell" / "10-bytes" / "fit.json", fit())
     (root / "history").mkdir()
     (root / "history" / "m.jsonl").write_text("".join(json.dumps(line) + "\n" for line in history()))

@@ -15,6 +15,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
+import numpy as np
 import page_results
 from page_results import FEWER, HOSTILE, METHODS, NEAREST, RADIUS, SCENES, SHLM, SIZES, SMALL
 from report.page import answer, chooser, history, page, pictures, stability
@@ -180,27 +181,53 @@ class Charts(WithResults):
         self.assertAlmostEqual(ghosts[0][1][1] / self.row("cornell", NEAREST, SIZES[-1]).noise, 1, delta=1e-5)
 
 
-class Choosing(WithResults):
-    def by_hand(self, scene, family, target, cost):
-        """The cheapest within the target; the most accurate where there is none."""
-        rows = [r for r in self.study.rows if r.scene == scene and r.method.startswith(family)]
-        within = sorted((getattr(r, cost), r.error, r.number) for r in rows if r.error <= target)
-        return (True, within[0][2]) if within else (False, min((r.error, r.number) for r in rows)[1])
+def offer_by_hand(rows, scene, family, target, cost):
+    """(reached, number of the first run within the target, cost there) of the cheapest method; of the most accurate run where there is none."""
+    rows = [r for r in rows if r.scene == scene and r.method.startswith(family)]
+    found = []
+    for method in {r.method for r in rows}:
+        runs = sorted((r for r in rows if r.method == method), key=lambda r: r.hits_asked)
+        at = next((i for i, r in enumerate(runs) if r.error <= target), None)
+        if at is not None:
+            after, before = runs[at], runs[max(at - 1, 0)]
+            line = np.log([(after.error, getattr(after, cost)), (before.error, getattr(before, cost))]).T
+            found.append((math.exp(np.interp(math.log(target), *line)), after.number))
+    if found:
+        return True, min(found)[1], min(found)[0]
+    best = min(rows, key=lambda r: r.error)
+    return False, best.number, getattr(best, cost)
 
+
+class Choosing(WithResults):
     def test_the_cheapest_of_each_family(self):
         reached = set()
         for scene in SCENES:
             for cost in ("seconds", "bytes"):
                 for target in (30, 10, 5, 2, 0.5):
-                    found = {o.family: (o.reached, o.row.number) for o in chooser.offers(self.study, scene, target, cost)}
-                    wanted = {family: self.by_hand(scene, family, target, cost) for family in ("shlm", "photonmap")}
-                    self.assertEqual(found, wanted)
-                    reached |= {done for done, _ in found.values()}
-        self.assertEqual(reached, {True, False})
+                    found = chooser.offers(self.study, scene, target, cost)
+                    self.assertEqual({o.family for o in found}, {"shlm", "photonmap"})
+                    for offer in found:
+                        wanted = offer_by_hand(self.study.rows, scene, offer.family, target, cost)
+                        self.assertEqual((offer.reached, offer.row.number), wanted[:2])
+                        self.assertAlmostEqual(getattr(offer, cost) / wanted[2], 1, delta=1e-9)
+                        reached.add((offer.reached, offer.before is None))
+        self.assertEqual(reached, {(True, False), (True, True), (False, True)})
+
+    def test_it_reads_between_sizes_as_the_study_does(self):
+        for scene in SCENES:
+            entry = self.study.source.document["scenes"][scene]
+            for key in ("seconds", "bytes"):
+                for target, reached in entry[f"{key}_to_reach"].items():
+                    costs = {m: r["cost"] for m, r in reached.items() if r["cost"] is not None}
+                    for offer in chooser.offers(self.study, scene, 100 * float(target), key):
+                        of_family = [c for m, c in costs.items() if m.startswith(offer.family)]
+                        self.assertEqual(offer.reached, bool(of_family))
+                        if of_family:
+                            self.assertAlmostEqual(getattr(offer, key) / min(of_family), 1, delta=1e-9)
 
     def test_the_first_one_is_the_cheapest(self):
         first, second = chooser.offers(self.study, "cornell", 30, "seconds")
-        self.assertLessEqual(first.row.seconds, second.row.seconds)
+        self.assertLessEqual(first.seconds, second.seconds)
 
     def test_what_is_out_of_reach_says_how_near_it_came(self):
         offers = chooser.offers(self.study, "cornell", 0.5, "seconds")
@@ -208,16 +235,21 @@ class Choosing(WithResults):
         self.assertIn("not reached up to 1\u00a0M hits: best is", cells[2])
         self.assertNotIn("render", cells[-1])
 
+    def offer_of(self, method, hits):
+        """Of a target that one run reaches."""
+        return chooser.reach("", [self.row("bumpy", method, hits)], target=1e9)
+
     def test_commands_name_method_hits_and_texels(self):
         self.assertEqual(
-            chooser.command(self.study, self.row("bumpy", RADIUS, 100_000)),
+            chooser.command(self.study, self.offer_of(RADIUS, 100_000)),
             f"build/release/shlmbench render build/release/scenes/bumpy.glb --method {RADIUS} --hits 1e5 --out picture.exr",
         )
-        self.assertIn("--texels 100 ", chooser.command(self.study, self.row("bumpy", SHLM, 100_000)))
-        self.assertNotIn("--texels", chooser.command(self.study, self.row("bumpy", SMALL, 100_000)))
+        self.assertIn("--texels 100 ", chooser.command(self.study, self.offer_of(SHLM, 100_000)))
+        self.assertNotIn("--texels", chooser.command(self.study, self.offer_of(SMALL, 100_000)))
 
     def test_hits_as_a_word(self):
-        self.assertEqual([chooser.hits_word(h) for h in (10_000, 10**8, 3 * 10**5, 123_456, 10**10)], ["1e4", "1e8", "3e5", "123456", "1e10"])
+        hits = (10_000, 10**8, 3 * 10**5, 123_456, 10**10, 2_400_000.1, 9_999_999.5, 999)
+        self.assertEqual([chooser.hits_word(h) for h in hits], ["1e4", "1e8", "3e5", "1.3e5", "1e10", "2.5e6", "1e7", "1e3"])
 
 
 class Words(WithResults):
@@ -253,9 +285,16 @@ class Words(WithResults):
             figure = re.search(rf'<figure class="chart" id="{identity}">.*?</figure>', self.text, re.DOTALL).group()
             self.assertIn("0123456789ab", figure)
             self.assertIn("3 seeds", figure)
-        cases = self.text[self.text.index('<section id="stability">') : self.text.index('<section id="fits">')]
+        cases = self.text[self.text.index('<section id="stability">') : self.text.index('<section id="elsewhere">')]
         self.assertIn("bbbbbbbbbbbb", cases)
         self.assertNotIn("0123456789ab", cases)
+
+
+    def test_scenes_of_others_are_counted(self):
+        part = self.text[self.text.index('<section id="elsewhere">') : self.text.index('<section id="fits">')]
+        self.assertIn("Of 2 scenes that others made, within all bounds: 1; outside one: 0; left open by chance or not measured: 1.", part)
+        self.assertIn("+0.40 ± 0.10", part)
+        self.assertIn("dddddddddddd", part)
 
 
 class Whole(WithResults):
@@ -288,7 +327,7 @@ class Whole(WithResults):
 
     def test_all_sections(self):
         found = [a["id"] for a in self.reader.all("section")]
-        self.assertEqual(found, ["claims", "choose", "charts", "pictures", "stability", "fits", "history", "measured", "words"])
+        self.assertEqual(found, ["claims", "choose", "charts", "pictures", "stability", "elsewhere", "fits", "history", "measured", "words"])
 
     def test_charts_have_a_sentence(self):
         sentences = re.findall(r'<p class="finding">([^<]+)</p>', self.text)

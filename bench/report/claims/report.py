@@ -9,6 +9,7 @@ from report.claims.finding import NOT_MEASURED_YET
 from report.claims.verdicts import read_summary
 from report.compare.baselines import INSERT_NS
 from report.compare.comparison import LIGHT_MAP, LIGHT_MAP_FLUX, PAPER_LIGHT_MAP, PHOTON_MAP, Comparison
+from report.markdown import table
 from report.text import NOTHING, count_text, number_text
 
 CHARTS = {
@@ -31,10 +32,9 @@ STRONGEST = (
 
 
 def claims_table(comparison, study):
-    lines = ["| claim | the paper says | verdict | against flann-incremental | against the strongest engine | measured |", "|---|---|---|---|---|---|"]
+    heads = ("claim", "the paper says", "verdict", "against flann-incremental", "against the strongest engine", "measured")
     measured = [f for f in findings(comparison, study) if f.verdict != NOT_MEASURED_YET]
-    lines += [f"| {f.claim} | {f.says} | **{f.verdict}** | {f.incremental} | {f.strongest} | {f.measured} |" for f in measured]
-    return lines
+    return table(heads, [(f.claim, f.says, f"**{f.verdict}**", f.incremental, f.strongest, f.measured) for f in measured])
 
 
 def added_text(row):
@@ -66,16 +66,14 @@ def scene_table(comparison, scene):
 
 def weight_table(comparison):
     """The two readings of the paper, side by side with the photon map."""
-    lines = ["| scene | hits | photon map | SHLM radiance | SHLM flux | flux / radiance |", "|---|---|---|---|---|---|"]
+    heads, cells = ("scene", "hits", "photon map", "SHLM radiance", "SHLM flux", "flux / radiance"), []
     for scene in comparison.scenes:
         rows = [comparison.series(scene, m) for m in (PHOTON_MAP, LIGHT_MAP, LIGHT_MAP_FLUX)]
         if all(rows):
             photons, radiance, flux = (series[-1] for series in rows)
-            lines.append(
-                f"| {scene} | {count_text(radiance['hits'])} | {photons['mean_irradiance']:.4g} | {radiance['mean_irradiance']:.4g} "
-                f"| {flux['mean_irradiance']:.4g} | {flux['mean_irradiance'] / radiance['mean_irradiance']:.3f} |"
-            )
-    return lines if len(lines) > 2 else []
+            means = [row["mean_irradiance"] for row in (photons, radiance, flux)]
+            cells.append([scene, count_text(radiance["hits"]), *(f"{mean:.4g}" for mean in means), f"{means[2] / means[1]:.3f}"])
+    return table(heads, cells) if cells else []
 
 
 def images(comparison):

@@ -14,6 +14,7 @@ from report.claims.claims import measured_by_study, measured_here
 from report.claims.finding import NOT_DECIDED, NOT_MEASURED_YET, PLAIN
 from report.claims.judging import RUNS, RUNS_OF_LARGE
 from report.compare.comparison import LIGHT_MAP, Comparison
+from report.markdown import table_text
 from report.text import machine_text
 
 
@@ -94,11 +95,12 @@ def rows_of(sources, out):
 
 
 def table(rows):
-    lines = ["| claim | the paper says | verdict | condition | figure | rests on |", "|---|---|---|---|---|---|"]
-    for row in rows:
-        rests = "; ".join(row["rests_on"])
-        lines.append(f"| [{row['claim']}]({row['link']}) | {row['says']} | **{row['verdict']}** | {row['condition']} | {row['figure']} | {rests} |")
-    return "\n".join(lines)
+    heads = ("claim", "the paper says", "verdict", "condition", "figure", "rests on")
+    cells = [
+        (f"[{row['claim']}]({row['link']})", row["says"], f"**{row['verdict']}**", row["condition"], row["figure"], "; ".join(row["rests_on"]))
+        for row in rows
+    ]
+    return table_text(heads, cells)
 
 
 WORDS = (
@@ -120,7 +122,7 @@ def main(arguments):
         return 2
     rows = rows_of(sources, out)
     made = "\n".join(f"- {source.folder.name}: {machine_text(source.context)}" for source in sources)
-    out.write_text(f"# Verdicts on the paper's claims\n\n{table(rows)}\n\n{WORDS}\n\n{made}\n", encoding="utf-8")
+    out.write_text(f"# Verdicts on the paper's claims\n\n{table(rows)}\n{WORDS}\n\n{made}\n", encoding="utf-8")
     out.with_suffix(".json").write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
     width = max(len(row["claim"]) for row in rows)
     for row in rows:

@@ -19,10 +19,9 @@ from report.elsewhere.bounds import MISSED
 from report.elsewhere.record import as_text, kept_record, key_of, measured, write_text
 from report.elsewhere.run import SceneFailed, SceneRun, Settings
 from report.elsewhere.scenes import find_scenes
-from report.elsewhere.text import markdown, summary_row
+from report.elsewhere.text import markdown, summary_cells
 from report.study.data import StudyError
 
-INSTRUCTION_SETS = ("avx512f", "avx2", "avx", "sse4_2")  # the widest first
 
 
 def parsed(arguments):
@@ -99,22 +98,12 @@ def same_key(file, key):
 def write_report(out, records, dark, settings):
     document = {
         "date": datetime.now(timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ"),
-        "instruction_set": instruction_set(),
         "settings": settings.as_json(),
         "without_light": [file.name for file in dark],
         "scenes": records,
     }
     write_text(out / "elsewhere.json", as_text(document))
     write_text(out / "report.md", markdown(document))
-
-
-def instruction_set(cpu_info=Path("/proc/cpuinfo")):
-    """The widest that the processor has, which -march=native and Embree choose by."""
-    try:
-        flags = next(line for line in cpu_info.read_text().splitlines() if line.startswith("flags")).split()
-    except (OSError, StopIteration):
-        return "instruction set unknown"
-    return next((name for name in INSTRUCTION_SETS if name in flags), "instruction set unknown")
 
 
 def main(arguments):
@@ -131,7 +120,7 @@ def main(arguments):
         print(f"{found.name}, {number} of {len(scenes)}", file=sys.stderr)
         records.append(record_of(given.program, found, given.out, settings))
         write_report(given.out, records, dark, settings)
-        print(summary_row(records[-1]), end="", flush=True)
+        print(" | ".join(summary_cells(records[-1])), flush=True)
     shutil.rmtree(given.out / "work", ignore_errors=True)
     print(f"\n{given.out / 'report.md'}")
     return 1 if any("failed" in r or r["verdict"] == MISSED for r in records) else 0

@@ -2,16 +2,23 @@
 
 from report.elsewhere.images import WORDS
 from report.elsewhere.record import error_of
+from report.markdown import table
 from report.text import bytes_text, hits_text, is_number, machine_text, number_text, seconds_text
 
-HEAD = (
-    "| scene | triangles | texels by | reference | light map: mean | worst region | RMS | photon map: mean | fit for 10 %: light map | verdict |\n"
-    "|---|---|---|---|---|---|---|---|---|---|\n"
+HEADS = (
+    "scene",
+    "triangles",
+    "texels by",
+    "reference",
+    "light map: mean",
+    "worst region",
+    "RMS",
+    "photon map: mean",
+    "fit for 10 %: light map",
+    "verdict",
 )
-METHOD_HEAD = (
-    "| method | hits | mean error | worst filled region | RMS | bytes | seconds |\n"
-    "|---|---|---|---|---|---|---|\n"
-)
+METHOD_HEADS = ("method", "hits", "mean error", "worst filled region", "RMS", "bytes", "seconds")
+CREDIT_HEADS = ("scene", "title", "author", "licence", "source")
 
 
 def markdown(document):
@@ -19,7 +26,7 @@ def markdown(document):
     lines = [
         "# Scenes that others made",
         "",
-        (HEAD + "".join(summary_row(record) for record in records)).rstrip("\n"),
+        *table(HEADS, map(summary_cells, records)),
         "",
         "Mean errors are signed, with their standard error: of the sum over all points that the camera sees, and of each square of 8 x 8 points "
         "that a surface fills. RMS is the relative root mean square error of single points (eps: a hundredth of the squared mean). Errors "
@@ -82,12 +89,12 @@ def fit_text(record, kind):
     )
 
 
-def summary_row(record):
+def summary_cells(record):
     if "failed" in record:
-        return f"| {record['name']} | - | - | - | - | - | - | - | - | not measured: {record['failed']} |\n"
+        return [record["name"], *["-"] * (len(HEADS) - 2), f"not measured: {record['failed']}"]
     light_map, photon_map = largest(record, "shlm"), largest(record, "photonmap")
     reference = f"{record['reference']['samples_per_pixel']} samples, {100 * record['reference']['relative_error']:.2g}\u00a0%"
-    cells = [
+    return [
         record["name"],
         f"{record['info']['triangles']:,}",
         placement_text(record),
@@ -99,7 +106,6 @@ def summary_row(record):
         fit_text(record, "light_map").split(",")[0],
         record["verdict"],
     ]
-    return f"| {' | '.join(cells)} |\n"
 
 
 def scene_lines(record):
@@ -109,7 +115,7 @@ def scene_lines(record):
     lines += [f"![{record['name']}](images/{record['name']}.png)", ""]
     if record["options"]:
         lines += [f"With {' '.join(record['options'])}.", ""]
-    lines += [(METHOD_HEAD + "".join(method_row(row) for row in record["methods"])).rstrip("\n"), ""]
+    lines += [*table(METHOD_HEADS, map(method_cells, record["methods"])), ""]
     lines += [f"- {bound['text']}: {error_text(bound['error'])}, bound {100 * bound['bound']:g} %: {bound['verdict']}" for bound in record["bounds"]]
     lines += [f"- fit for 10 %, {kind.replace('_', ' ')}: {fit_text(record, kind)}" for kind in ("light_map", "photon_map")]
     lines.append(f"- reference: {reference_text(record)}")
@@ -127,14 +133,19 @@ def reference_text(record):
     )
 
 
-def method_row(row):
+def method_cells(row):
     name = row["method"] if row["asked"] != "shlm" else f"{row['method']} (default)"
     if "skipped" in row:
-        return f"| {name} | {hits_text(row['hits'])} | not measured: {row['skipped']} | - | - | - | - |\n"
-    return (
-        f"| {name} | {hits_text(row['hits'])} | {error_text(row['mean'])} | {error_text(row['worst_region'])} of {row['regions']} | {rms_text(row['rms'])} "
-        f"| {bytes_text(row['bytes'])} | {seconds_text(row['seconds'])} |\n"
-    )
+        return [name, hits_text(row["hits"]), f"not measured: {row['skipped']}", *["-"] * 4]
+    return [
+        name,
+        hits_text(row["hits"]),
+        error_text(row["mean"]),
+        f"{error_text(row['worst_region'])} of {row['regions']}",
+        rms_text(row["rms"]),
+        bytes_text(row["bytes"]),
+        seconds_text(row["seconds"]),
+    ]
 
 
 def dark_lines(document):
@@ -144,11 +155,7 @@ def dark_lines(document):
 
 
 def credit_lines(records):
-    lines = ["| scene | title | author | licence | source |", "|---|---|---|---|---|"]
-    for record in records:
-        credit = record["credit"]
-        lines.append("| " + " | ".join([record["name"], *(credit.get(key, "not said") for key in ("title", "author", "licence", "source"))]) + " |")
-    return lines
+    return table(CREDIT_HEADS, [[r["name"], *(r["credit"].get(key, "not said") for key in CREDIT_HEADS[1:])] for r in records])
 
 
 def made_lines(document):
@@ -156,7 +163,7 @@ def made_lines(document):
     settings = document["settings"]
     libraries = ", ".join(f"{name} {version}" for name, version in context.get("libraries", {}).items())
     return [
-        f"- machine: {machine_text(context)}, {context.get('threads', '?')} threads, {document['instruction_set']}",
+        f"- machine: {machine_text(context)}, {context.get('threads', '?')} threads",
         f"- flags: {context.get('flags', 'unknown')}",
         f"- versions: {libraries or 'unknown'}",
         f"- date: {document['date']}",

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from report.front import front_of
+from report.markdown import table_text
 from report.sheet import SMALL, Sheet, plain_axes
 from report.study.curves import curves_of
 from report.study.data import Study, StudyError
@@ -102,27 +103,21 @@ def short_name(method):
     return "/".join(parts)
 
 
-def table(scene, hits, found):
-    """A row for each adaptive map that no smaller one beats."""
+def rows_of(scene, hits, found):
+    """Cells of each adaptive map that no smaller one beats."""
     kept = front(uniform_of(found).values())
     adaptive_front = front([p for m, p in found.items() if kind_of(m) == ADAPTIVE])
     photon_front = front([p for m, p in found.items() if kind_of(m) == PHOTON_MAP])
-    lines = []
+    rows = []
     for method, (size, error) in sorted(found.items(), key=lambda item: item[1]):
         if kind_of(method) != ADAPTIVE or (size, error) not in adaptive_front:
             continue
         uniform, photons = bytes_for(kept, error), bytes_for(photon_front, error)
-        lines.append(
-            f"| {scene} | {hits:.0e} | {short_name(method)} | {error:.2f} | {kib(size)} | {kib(uniform)} | {ratio(uniform, size)} | "
-            f"{kib(photons)} |\n"
-        )
-    return "".join(lines)
+        rows.append((scene, f"{hits:.0e}", short_name(method), f"{error:.2f}", kib(size), kib(uniform), ratio(uniform, size), kib(photons)))
+    return rows
 
 
-HEAD = (
-    "| scene | hits | adaptive map | error % | KiB | uniform map, KiB | ratio | photon map, KiB |\n"
-    "|---|---|---|---|---|---|---|---|\n"
-)
+HEADS = ("scene", "hits", "adaptive map", "error %", "KiB", "uniform map, KiB", "ratio", "photon map, KiB")
 
 
 def main(arguments):
@@ -145,16 +140,17 @@ def main(arguments):
     rows = math.ceil(len(scenes) / columns)
     sheet = Sheet(rows, columns, (4.7, 3.6), "Error against bytes of the finished map", words, legend_lines=1)
     panels = list(np.ravel(sheet.panels))
-    text = HEAD
+    cells = []
     for axes, (scene, curves) in zip(panels, scenes.items()):
         hits = largest_size(curves)
         found = at_size(curves, hits)
         draw(axes, found, f"{scene}, {hits:.0e} hits")
-        text += table(scene, hits, found)
+        cells += rows_of(scene, hits, found)
     for axes in panels[len(scenes) :]:
         axes.set_visible(False)
     sheet.legend(len(colours_of(found)))
     sheet.save(out / "model-bytes.png")
+    text = table_text(HEADS, cells)
     (out / "model-bytes.md").write_text(
         text + "\nAdaptive maps that no smaller one beats, by lightmap coordinates and by faces. The uniform map and the photon map are the smallest of the study with at most the same error, "
         "between neighbours on a straight line in log-log; -: none has it.\n"

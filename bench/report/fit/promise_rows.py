@@ -4,6 +4,7 @@ import math
 import random
 import statistics
 
+from report.markdown import table_text
 from report.text import machine_text, number_text
 
 KINDS = {"light_map": "light map", "photon_map": "photon map"}
@@ -97,22 +98,26 @@ def summary_of(rows):
     return summary
 
 
-HEAD = (
-    "| target % | map | sure choices | runs that meet it | measured / estimated: median | tenth to nine tenths | pilot s | pilot / chosen run |\n"
-    "|---|---|---|---|---|---|---|---|\n"
+HEADS = (
+    "target %",
+    "map",
+    "sure choices",
+    "runs that meet it",
+    "measured / estimated: median",
+    "tenth to nine tenths",
+    "pilot s",
+    "pilot / chosen run",
 )
 
 
-def line_of(label, kind, figures):
+def cells_of(label, kind, figures):
     if figures["choices"] == 0:
-        return f"| {label} | {kind} | 0 | - | - | - | - | - |\n"
+        return [label, kind, "0", *["-"] * 5]
     spread = figures["measured_over_estimated"]
     span = f"{number_text(spread['tenth'])} to {number_text(spread['nine_tenths'])}"
     met = f"{figures['runs_that_meet']} of {figures['runs']}"
-    return (
-        f"| {label} | {kind} | {figures['choices']} | {met} | {number_text(spread['median'])} | {span} | "
-        f"{number_text(figures['pilot_seconds'])} | {number_text(figures['pilot_over_chosen'])} |\n"
-    )
+    pilot = [number_text(figures[key]) for key in ("pilot_seconds", "pilot_over_chosen")]
+    return [label, kind, str(figures["choices"]), met, number_text(spread["median"]), span, *pilot]
 
 
 def margin_words(sure):
@@ -127,11 +132,11 @@ def margin_words(sure):
 
 def table_of(document):
     summary, rooms = document["summary"], document["rooms"]
-    lines = "".join(line_of(f"{100 * row['target']:g}", KINDS[row["map"]], row) for row in summary["by_target"])
-    lines += line_of("all", "both, sure", summary["sure"]) + line_of("all", "both, not sure", summary["not_sure"])
+    rows = [cells_of(f"{100 * row['target']:g}", KINDS[row["map"]], row) for row in summary["by_target"]]
+    rows += [cells_of("all", f"both, {words}", summary[key]) for words, key in (("sure", "sure"), ("not sure", "not_sure"))]
     last = rooms["first"] + rooms["count"] - 1
     return (
-        f"Rooms {rooms['first']} to {last}; choices out of reach: {summary['out_of_reach']}. {machine_text(document['context'])}\n\n{HEAD}{lines}\n"
+        f"Rooms {rooms['first']} to {last}; choices out of reach: {summary['out_of_reach']}. {machine_text(document['context'])}\n\n{table_text(HEADS, rows)}\n"
         "A run meets its target where its relative RMS error, without that of the reference, is at most the target. Pilot: the whole search.\n"
         + margin_words(summary["sure"])
     )

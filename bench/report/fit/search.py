@@ -4,7 +4,8 @@
 
 STUDY is the folder of a `shlmbench study` over the methods that `shlmbench fit --list` prints. The search's best is
 the least time, or the fewest bytes, in which any method of its grid reaches the target, interpolated between its sizes
-as in the study's report. What fit chose counts as it was measured where the fit was verified, else as predicted.
+as in the study's report. What fit chose costs what the study's own runs of that method cost at the chosen hits, so that
+both sides have the same clock. Its errors are those of its verified runs.
 """
 
 import json
@@ -15,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
+from report.markdown import table_text
 from report.study.curves import curves_of
 from report.study.data import Study, StudyError
 from report.study.targets import bytes_to_reach, time_to_reach, winners
@@ -43,7 +45,8 @@ def root_mean(squares):
 
 @dataclass(frozen=True)
 class Verdict:
-    """One kind of map in one fit. Ratios are not a number where the search has not reached the target."""
+    """One kind of map in one fit. Ratios are not a number where the search has not reached the target, and where it has
+    no runs of the chosen method on both sides of the chosen hits."""
 
     scene: str
     target: float
@@ -85,6 +88,12 @@ def best(curves, prefix, target, reach):
     return (first[0], reaches[first[0]].cost) if first else ("", math.nan)
 
 
+def cost_in(curve, hits, cost_of):
+    """What the study's runs of a method cost at so many hits; not a number beyond its sizes. A straight line in log-log."""
+    sizes, costs = np.log(curve.array("hits")), np.log([cost_of(point) for point in curve.points])
+    return math.exp(np.interp(math.log(hits), sizes, costs, left=math.nan, right=math.nan))
+
+
 def cost(entry, column):
     """Median of the verified runs, else what was predicted."""
     runs = entry.get("verified", [])
@@ -98,14 +107,16 @@ def verdict(fit, kind, curves):
     found = {"scene": fit["scene"], "target": fit["target"], "fastest": fastest, "smallest": smallest}
     if not entry["reached"]:
         return Verdict(method="", reason=entry["reason"], **found)
+    choice = entry["choice"]
+    if curve := curves.get(choice["method"]):
+        found["time_ratio"] = cost_in(curve, choice["hits"], lambda p: p.seconds) / seconds
+        found["bytes_ratio"] = cost_in(curve, choice["hits"], lambda p: p.bytes) / least_bytes
     return Verdict(
-        method=entry["choice"]["method"],
+        method=choice["method"],
         reason="",
-        hits=entry["choice"]["hits"],
-        estimated=entry["choice"]["error"],
+        hits=choice["hits"],
+        estimated=choice["error"],
         measured=tuple(run["error"] for run in entry.get("verified", [])),
-        time_ratio=cost(entry, "seconds") / seconds,
-        bytes_ratio=cost(entry, "bytes") / least_bytes,
         **found,
     )
 
@@ -139,17 +150,11 @@ def cells(v):
     )
 
 
-def table(all_verdicts):
-    """Markdown."""
-    rows = [HEADS, tuple("---" for _ in HEADS)] + [cells(v) for v in all_verdicts]
-    return "".join("| " + " | ".join(row) + " |\n" for row in rows)
-
-
 def main(arguments):
     try:
         fits = [read_fit(Path(path)) for path in arguments[1:]]
         study = Study(arguments[0])
-        print(table(verdicts(study, fits)), end="")
+        print(table_text(HEADS, map(cells, verdicts(study, fits))), end="")
         for problem in study.problems:
             print(problem, file=sys.stderr)
     except StudyError as error:

@@ -1,40 +1,55 @@
 """What each scene needs, by `shlmbench fit`: bench/report fit-verdict FIT.json... prints a table in Markdown.
 
-Verified runs count as measured; where a target is out of reach the reason stands in place of a method.
+Bytes and time are medians of the verified runs, else as predicted; where a target is out of reach the reason stands in place of a method.
 """
 
 import sys
 from pathlib import Path
 
-from report.fit.search import KINDS, cost, figure, read_fit, root_mean
+from report.fit.search import KINDS, cost, read_fit, root_mean
+from report.markdown import table_text
 from report.study.data import StudyError
+from report.text import NOTHING, bytes_text, hits_text, number_text, seconds_text
 
-HEAD = (
-    "| scene | target % | least | map | hits | bytes | seconds | estimated % | measured % "
-    "| without the worst 0.1 % of points | runs that meet it |\n"
-    "|---|---|---|---|---|---|---|---|---|---|---|\n"
+HEADS = (
+    "scene",
+    "target",
+    "least",
+    "map",
+    "method",
+    "hits",
+    "bytes",
+    "time",
+    "estimated",
+    "measured",
+    "without the worst 0.1 % of points",
+    "runs that meet it",
 )
 
 
-def bytes_text(size):
-    return f"{size / 2**20:,.1f} MiB" if size >= 2**20 else f"{size / 2**10:,.0f} KiB"
+def percent_text(share):
+    return f"{number_text(100 * share)}\u00a0%"
 
 
-def row(fit, kind):
+def cells(fit, kind):
     entry = fit[kind]
-    start = f"| {fit['scene']} | {figure(100 * fit['target'])} | {fit['least']} | "
+    start = [fit["scene"], f"{100 * fit['target']:g}\u00a0%", fit["least"], kind.replace("_", " ")]
     if not entry["reached"]:
-        return start + f"{kind.replace('_', ' ')}: {entry['reason']} | - | - | - | - | - | - | - |\n"
-    choice = entry["choice"]
-    runs = entry.get("verified", [])
-    errors = [run["error"] for run in runs]
-    measured = 100 * root_mean(error**2 for error in errors)
-    without_worst = 100 * root_mean(run["error"] ** 2 * (1 - run["worst_share"]) for run in runs)
-    met = f"{sum(error <= fit['target'] for error in errors)} of {len(errors)}" if errors else "-"
-    return start + (
-        f"{choice['method']} | {choice['hits']:.2g} | {bytes_text(cost(entry, 'bytes'))} | {cost(entry, 'seconds'):.2g} | "
-        f"{figure(100 * choice['error'])} | {figure(measured)} | {figure(without_worst)} | {met} |\n"
-    )
+        return [*start, f"out of reach: {entry.get('reason', '')}", *[NOTHING] * (len(HEADS) - len(start) - 1)]
+    choice, runs = entry["choice"], entry.get("verified", [])
+    without_worst = root_mean(run["error"] ** 2 * (1 - run["worst_share"]) for run in runs)
+    met = sum(run["error"] <= fit["target"] for run in runs)
+    return [
+        *start,
+        choice["method"],
+        hits_text(choice["hits"]),
+        bytes_text(cost(entry, "bytes")),
+        seconds_text(cost(entry, "seconds")),
+        percent_text(choice["error"]),
+        percent_text(root_mean(run["error"] ** 2 for run in runs)) if runs else "not verified",
+        percent_text(without_worst) if runs else NOTHING,
+        f"{met} of {len(runs)}" if runs else NOTHING,
+    ]
 
 
 def main(arguments):
@@ -43,5 +58,5 @@ def main(arguments):
     except StudyError as error:
         print(error, file=sys.stderr)
         return 2
-    print(HEAD + "".join(row(fit, kind) for fit in fits for kind in KINDS), end="")
+    print(table_text(HEADS, [cells(fit, kind) for fit in fits for kind in KINDS]), end="")
     return 0

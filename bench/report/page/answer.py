@@ -1,8 +1,6 @@
 """The answer in five lines, from the results at hand: the head of the page, and what the command prints."""
 
-from dataclasses import dataclass
-
-from report.page.chooser import TARGET
+from report.page.chooser import TARGET, offers
 from report.page.claims import finding_text
 from report.page.measured import seeds_text
 from report.page.quantities import percent_text
@@ -17,41 +15,23 @@ def claims_line(results):
     return finding_text(results.verdicts[0].document) if results.verdicts else "The paper's claims are not judged here: bench/report verdicts does that."
 
 
-@dataclass(frozen=True)
-class Cheapest:
-    """Of one family: what its fastest method takes to the target, between measured sizes as the study has it; else its least error."""
-
-    family: str
-    seconds: float = None
-    bytes: float = None
-    least_error: float = None
-
-    @property
-    def text(self):
-        if self.seconds is None:
-            return f"{percent_text(self.least_error)} at best" if self.least_error else "not measured"
-        return f"{seconds_text(self.seconds)}, {bytes_text(self.bytes)}"
-
-
-def cheapest(study, scene, family):
-    entry, target = study.source.document["scenes"][scene], f"{TARGET / 100:g}"
-    reached = {m: r["cost"] for m, r in entry["seconds_to_reach"][target].items() if r["cost"] is not None and study.family(m) == family}
-    if reached:
-        method = min(reached, key=reached.get)
-        return Cheapest(family, reached[method], entry["bytes_to_reach"][target][method]["cost"])
-    errors = [r.error for r in study.rows if r.scene == scene and r.error and study.family(r.method) == family]
-    return Cheapest(family, least_error=min(errors, default=None))
-
-
 def of_families(study, scene):
-    return cheapest(study, scene, LIGHT_MAP), cheapest(study, scene, PHOTON_MAP)
+    """The fastest of each of the two families to the target; None where it was not measured."""
+    found = {offer.family: offer for offer in offers(study, scene, TARGET, "seconds")}
+    return found.get(LIGHT_MAP), found.get(PHOTON_MAP)
+
+
+def offer_text(offer):
+    if offer is None:
+        return "not measured"
+    return f"{seconds_text(offer.seconds)}, {bytes_text(offer.bytes)}" if offer.reached else f"{percent_text(offer.row.error)} at best"
 
 
 def first_line(study):
     """Who reaches the target first, by scene."""
     firsts = {"light map": [], "photon map": [], "nobody": []}
     for scene in study.scenes:
-        first = min((c for c in of_families(study, scene) if c.seconds is not None), key=lambda c: c.seconds, default=None)
+        first = min((o for o in of_families(study, scene) if o and o.reached), key=lambda o: o.seconds, default=None)
         firsts["nobody" if first is None else "light map" if first.family == LIGHT_MAP else "photon map"].append(scene)
     words = [f"{who} in {listed(scenes)}" for who, scenes in firsts.items() if scenes]
     return f"First to {TARGET:g} % error: {'; '.join(words)}."
@@ -61,9 +41,9 @@ def cost_line(study):
     """Light map against photon map; scenes where nobody is there yet are left to the line before."""
     words = []
     for scene in study.scenes:
-        light, photon = of_families(study, scene)
-        if light.seconds is not None or photon.seconds is not None:
-            words.append(f"{scene} {light.text} against {photon.text}")
+        pair = of_families(study, scene)
+        if any(offer and offer.reached for offer in pair):
+            words.append(f"{scene} {' against '.join(map(offer_text, pair))}")
     return f"Light map against photon map at {TARGET:g} %: {'; '.join(words)}." if words else f"Nobody reaches {TARGET:g} % here; see the best of each below."
 
 

@@ -1,38 +1,12 @@
 """What each scene needs, as `shlmbench fit` finds it without a reference; and how often it keeps its word."""
 
-from report.fit.search import KINDS, root_mean
+from report.fit.search import KINDS
+from report.fit.verdict import HEADS, cells
 from report.page.markup import details, joined, link, table, tag
 from report.page.quantities import percent_text
 from report.page.words import MISSING, origin_text, plural
-from report.text import bytes_text, hits_text, seconds_text
 
 MISSING_TEXT = MISSING.format("./reproduce --models")
-HEADS = ("scene", "target", "least", "map", "method", "hits", "bytes", "time", "estimated", "measured", "runs that meet it")
-MAPS = {"light_map": "light map", "photon_map": "photon map"}
-
-
-def verified(fit, kind):
-    return [run["error"] for run in fit[kind].get("verified", [])]
-
-
-def row(fit, kind):
-    entry, errors = fit[kind], verified(fit, kind)
-    start = (fit["scene"], f"{100 * fit['target']:g} %", fit["least"], MAPS[kind])
-    if not entry["reached"]:
-        return (*start, f"out of reach: {entry.get('reason', '')}", *[""] * 6)
-    choice = entry["choice"]
-    measured = percent_text(100 * root_mean(e**2 for e in errors)) if errors else "not verified"
-    met = f"{sum(e <= fit['target'] for e in errors)} of {len(errors)}" if errors else "-"
-    return (
-        *start,
-        tag("code", choice["method"]),
-        hits_text(choice["hits"]),
-        bytes_text(choice["bytes"]),
-        seconds_text(choice["seconds"]),
-        percent_text(100 * choice["error"]),
-        measured,
-        met,
-    )
 
 
 def parts_words(part):
@@ -85,7 +59,7 @@ def section(results):
         [
             tag("p", ratio_words(fits), cls="finding"),
             promise_words(results),
-            table(HEADS, [row(fit, kind) for fit in fits for kind in KINDS], cls="wrap"),
+            table(HEADS, [cells(fit, kind) for fit in fits for kind in KINDS], cls="wrap"),
             *blocks,
             tag("p", f"{'; '.join(origins)}.", cls="origin"),
         ]

@@ -1,9 +1,10 @@
 """The report in Markdown, section by section; every table says what it shows and where it comes from."""
 
+from report.markdown import table
 from report.study.first import first_rows
 from report.study.groups import GROUP_TEXT, GROUP_TITLES
 from report.study.slopes import FIRST_HITS, VARIANCE_OVER_BIAS
-from report.study.tables import crossing_overview, crossing_table, front_table, full_table, reach_table, slope_table, table
+from report.study.tables import crossing_overview, crossing_table, front_table, full_table, reach_table, slope_table
 from report.text import bytes_text, number_text, percent_text, seconds_text
 
 REACH_NOTE = (

@@ -1,17 +1,10 @@
 """The tables of the report, in Markdown."""
 
+from report.markdown import table
 from report.study.data import PHASES
 from report.study.methods import REFERENCE_PHOTON_MAP
 from report.study.targets import AT_FIRST, BEYOND, NEVER, TARGETS, may_be_as_good, winners
 from report.text import NOTHING, band_text, bytes_text, hits_text, number_text, percent_text, seconds_text
-
-
-def table(header, rows):
-    return [
-        "| " + " | ".join(header) + " |",
-        "|" + "---|" * len(header),
-        *("| " + " | ".join(row) + " |" for row in rows),
-    ]
 
 
 def reach_text(reach, unit_text, is_best, is_as_good):

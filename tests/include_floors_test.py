@@ -23,7 +23,7 @@ FLOORS = [
     ["shlm/file", "shlm/adaptive"],
     ["bench/setup"],
     ["bench/contenders"],
-    ["bench/contenders/engines", "bench/contenders/bases"] + [f"bench/experiments/{folder.name}" for folder in (ROOT / "bench/experiments").iterdir()],
+    ["bench/contenders/engines", "bench/contenders/bases", "bench/export"] + [f"bench/experiments/{folder.name}" for folder in (ROOT / "bench/experiments").iterdir()],
     ["bench/experiments/stability/cases"],
     ["bench/app"],
 ]

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <any>
+#include <filesystem>
 #include <map>
 
 #include "bench/contenders/contender.h"
@@ -37,6 +38,16 @@ struct MapForm {
     bool in_halves;
 };
 
+/// All texels of a finished map of halves, in the layout's order.
+struct StoredTexels {
+    std::size_t numbers = 0, light_numbers = 0;  ///< per texel; the first of them are light
+    float unit = 1;                              ///< W/m^2, of the numbers of light
+    std::vector<shlm::half> number;              ///< texel by texel
+    std::vector<shlm::TexelFace> face;           ///< as the map uses them
+    std::vector<common::Rgb> own;                ///< irradiance of each texel's own normal, W/m^2
+    std::vector<std::uint64_t> hits;             ///< on each texel itself
+};
+
 /// What a finished texel keeps.
 struct LightBasis {
     std::string name, purpose;
@@ -47,6 +58,10 @@ struct LightBasis {
                                                  const shlm::Quantum& quantum);
     std::unique_ptr<const Answers> (*finish)(const LightMapStore& store, shlm::ShWeight weight,
                                              float watts_per_flux, const MapForm& form);
+    StoredTexels (*texels)(const LightMapStore& store, shlm::ShWeight weight, float watts_per_flux,
+                           std::uint64_t least_hits);
+    std::string (*number_name)(std::size_t number);   ///< shlm::Basis::number_name
+    std::string formula;                              ///< shlm::Basis::formula
     std::size_t (*numbers)(shlm::ShWeight weight);    ///< summed per texel and channel
     std::size_t (*sum_bytes)(shlm::ShWeight weight);  ///< per texel, while it is filled
     std::size_t texel_bytes;                          ///< of the finished map, in floats, at most
@@ -125,6 +140,11 @@ class UniformLightMap final : public LightMapTechnique {
     ChartStyle style() const override { return setting().basis->style; }
     double needed_bytes(const ContenderSettings& settings, std::uint64_t hits) const override;
     FinishedMap finish(Store& store, const common::TraceReport& trace) const override;
+
+    /// What the map of halves keeps in each texel, whatever the gather.
+    [[nodiscard]] StoredTexels texels(const LightMapStore& store, const common::TraceReport& trace) const {
+        return setting().basis->texels(store, setting().weight, trace.watts_per_flux(), least_hits_);
+    }
 
   private:
     std::uint64_t least_hits_;

@@ -47,12 +47,35 @@ auto with_model(shlm::ShWeight weight, const Work& work) {
     return result;
 }
 
+template <shlm::Basis Kept, class Model>
+[[nodiscard]] StoredTexels stored_texels(const shlm::Sink<Model>& sink, float watts_per_flux,
+                                         std::uint64_t least_hits) {
+    const auto map = sink.template finish<Kept, shlm::half>(watts_per_flux, shlm::OwnTexel{}, least_hits);
+    StoredTexels stored{shlm::number_count<Kept>, Kept::light_numbers, map.unit(), {}, {}, {}, {}};
+    for (std::size_t i = 0; i < map.texels().size(); ++i) {
+        const auto& texel = map.texels()[i];
+        const shlm::TexelFace face = texel.face.unpacked();
+        stored.number.insert(stored.number.end(), texel.stored.begin(), texel.stored.end());
+        stored.face.push_back(face);
+        stored.own.push_back(texel.irradiance(face.normal) * map.unit());
+        stored.hits.push_back(sink.accumulator().sums().hits(i));
+    }
+    return stored;
+}
+
 /// What is made from sums of one of these weights; the first is the default.
 template <shlm::Basis Kept, shlm::ShWeight... Weights>
 [[nodiscard]] LightBasis light_basis(const std::string& name, const std::string& purpose,
                                      const ChartStyle& style) {
     using shlm::ShWeight;
-    LightBasis basis{name, purpose, style, Kept::order, {Weights...}, nullptr, nullptr, nullptr, nullptr, 0};
+    LightBasis basis{};
+    basis.name = name;
+    basis.purpose = purpose;
+    basis.style = style;
+    basis.order = Kept::order;
+    basis.weights = {Weights...};
+    basis.number_name = &Kept::number_name;
+    basis.formula = Kept::formula;
     basis.texel_bytes = sizeof(shlm::Texel<shlm::Harmonics<Kept::order>>);
     basis.make_store = [](ShWeight weight, const shlm::PreparedTexels& texels, const shlm::Quantum& quantum) {
         return with_model<Kept::order, Weights...>(weight, [&](auto model) -> std::unique_ptr<LightMapStore> {
@@ -74,6 +97,12 @@ template <shlm::Basis Kept, shlm::ShWeight... Weights>
                 return answers_of(
                     sink.template finish<Kept, shlm::half>(scale, form.gather, form.least_hits));
             return answers_of(sink.template finish<Kept>(scale, form.gather, form.least_hits));
+        });
+    };
+    basis.texels = [](const LightMapStore& store, ShWeight weight, float scale, std::uint64_t least_hits) {
+        return with_model<Kept::order, Weights...>(weight, [&](auto model) {
+            const auto& sink = static_cast<const SumsStore<decltype(model)>&>(store).sink();
+            return stored_texels<Kept>(sink, scale, least_hits);
         });
     };
     return basis;

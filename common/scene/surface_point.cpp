@@ -15,15 +15,10 @@ TangentFrame tangent_frame_at(const Scene& scene, const SurfaceId& surface, cons
     Vec3 tangent = interpolate(scene.tangent[a], scene.tangent[b], scene.tangent[c], surface.u, surface.v);
     float sign = scene.tangent_sign[a];
     if (tangent.length2() == 0) {
-        const auto& uv = scene.texcoord[use.texcoord_set];
-        const Vec2 uv_a = use.transform(uv[a]);
-        const Vec2 duv1 = use.transform(uv[b]) - uv_a, duv2 = use.transform(uv[c]) - uv_a;
-        const Vec3 edge1 = scene.position[b] - scene.position[a],
-                   edge2 = scene.position[c] - scene.position[a];
-        const float determinant = duv1.x * duv2.y - duv1.y * duv2.x;
-        if (determinant == 0) return {Vec3(0, 0, 0), Vec3(0, 0, 0)};  // Imath leaves {} uninitialised
-        tangent = (edge1 * duv2.y - edge2 * duv1.y) * std::copysign(1.0f, determinant);
-        sign = -std::copysign(1.0f, determinant);  // glTF's v points down, its bitangent up
+        const MapTangent of_triangle = triangle_tangent(scene, surface.triangle, use);
+        if (of_triangle.tangent == Vec3(0, 0, 0)) return {Vec3(0, 0, 0), Vec3(0, 0, 0)};
+        tangent = of_triangle.tangent;
+        sign = of_triangle.sign;
     }
     tangent = (tangent - normal * normal.dot(tangent)).normalized();
     return {tangent, normal.cross(tangent) * sign};
@@ -43,6 +38,18 @@ Vec3 normal_mapped(const Scene& scene, const SurfaceId& surface, const Material&
 }
 
 }  // namespace
+
+MapTangent triangle_tangent(const Scene& scene, std::uint32_t triangle, const TextureUse& use) {
+    const auto [a, b, c] = scene.triangle[triangle];
+    const auto& uv = scene.texcoord[use.texcoord_set];
+    const Vec2 uv_a = use.transform(uv[a]);
+    const Vec2 duv1 = use.transform(uv[b]) - uv_a, duv2 = use.transform(uv[c]) - uv_a;
+    const Vec3 edge1 = scene.position[b] - scene.position[a], edge2 = scene.position[c] - scene.position[a];
+    const float determinant = duv1.x * duv2.y - duv1.y * duv2.x;
+    if (determinant == 0) return {Vec3(0, 0, 0), 1};
+    const float turn = std::copysign(1.0f, determinant);
+    return {(edge1 * duv2.y - edge2 * duv1.y) * turn, -turn};  // glTF's v points down, its bitangent up
+}
 
 Vec3 position_at(const Scene& scene, const SurfaceId& surface) {
     const auto [a, b, c] = scene.triangle[surface.triangle];

@@ -32,6 +32,16 @@ struct SurfacePoint {
 /// Interpolated vertex normal, unit, on the front side; no normal map.
 [[nodiscard]] Vec3 smooth_normal_at(const Scene& scene, const SurfaceId& surface);
 
+/// Where a normal map's u and v point on a surface.
+struct MapTangent {
+    Vec3 tangent;  ///< world space, along u; not unit; zero where the texture coordinates have no area
+    float sign;    ///< glTF's TANGENT.w: the bitangent is sign * cross(normal, tangent)
+};
+
+/// The triangle's own, by its derivatives of position by texture coordinate where the map is read: for
+/// vertices without tangents.
+[[nodiscard]] MapTangent triangle_tangent(const Scene& scene, std::uint32_t triangle, const TextureUse& use);
+
 /// Base colour: factor times texture times vertex colour, in [0, 1].
 [[nodiscard]] Rgb base_color_at(const Scene& scene, const SurfaceId& surface);
 

@@ -22,6 +22,12 @@ struct AmbientAndDirection {
     /// Irradiance of the face's own normal; D d as a share of the mean channel's, whose rest is ambient.
     using Numbers = std::array<float, 6>;
     static constexpr std::size_t light_numbers = 3;
+    static constexpr std::string_view formula =
+        "E(n) = own ((1 - d.N) (1 + n.N) / 2 + max(d.n, 0)), d = direction";
+
+    [[nodiscard]] static std::string number_name(std::size_t i) {
+        return i < 3 ? rgb_name("own", i) : std::string("direction.") + "XYZ"[i - 3];
+    }
 
     struct Question {
         explicit Question(const common::Vec3& shading_normal) : normal(shading_normal) {}
@@ -54,9 +60,9 @@ struct AmbientAndDirection {
 
   private:
     /// Irradiance is S / 4 + V.n / 2 up to order 1: pi y0^2 and (2 pi / 3) (3 / (4 pi)) of radiance.
-    static float integral_of(const std::array<float, 4>& e) { return 4 * 0.282094792f * e[0]; }
+    static float integral_of(const std::array<float, 4>& e) { return 4 * sh_constants::c0 * e[0]; }
     static common::Vec3 vector_of(const std::array<float, 4>& e) {
-        return common::Vec3(e[3], e[1], e[2]) * (2 * 0.488602512f);
+        return common::Vec3(e[3], e[1], e[2]) * (2 * sh_constants::c1);
     }
 };
 

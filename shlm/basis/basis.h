@@ -2,6 +2,8 @@
 #pragma once
 
 #include <concepts>
+#include <string>
+#include <string_view>
 
 #include "shlm/basis/texel_model.h"
 
@@ -17,6 +19,8 @@ namespace shlm {
 /// - `numbers_of(light, face_normal)`: of a texel whose mean normal is `face_normal`, unit.
 /// - `irradiance(numbers, face_normal, question)`: W/m^2; what the truncated series takes below zero is not
 ///   cut off here.
+/// - `number_name(i)`: the name of number i in a file, LAYER.CHANNEL; `formula`: irradiance in words from
+///   these layers, the shading normal n and the texel's normal N.
 template <class B>
 concept Basis = SupportedOrder<B::order> && std::constructible_from<typename B::Question, common::Vec3> &&
     requires(const TexelLight<B::order>& light, const typename B::Numbers& numbers,
@@ -24,6 +28,8 @@ concept Basis = SupportedOrder<B::order> && std::constructible_from<typename B::
     { B::light_numbers } -> std::convertible_to<std::size_t>;
     { B::numbers_of(light, face_normal) } -> std::same_as<typename B::Numbers>;
     { B::irradiance(numbers, face_normal, question) } -> std::same_as<common::Rgb>;
+    { B::number_name(std::size_t{}) } -> std::same_as<std::string>;
+    { B::formula } -> std::convertible_to<std::string_view>;
 };
 
 template <Basis B>
@@ -37,6 +43,11 @@ template <std::size_t Count>
 template <std::size_t Count>
 inline void set_rgb(std::array<float, Count>& numbers, std::size_t first, const common::Rgb& rgb) {
     for (std::size_t c = 0; c < 3; ++c) numbers[first + c] = rgb[static_cast<int>(c)];
+}
+
+/// "own.G" for channel 1 of layer "own".
+[[nodiscard]] inline std::string rgb_name(const std::string& layer, std::size_t channel) {
+    return layer + "." + "RGB"[channel];
 }
 
 }  // namespace shlm

@@ -10,6 +10,14 @@ struct Harmonics {
     static constexpr int order = Order;
     using Numbers = std::array<float, 3 * harmonic_count(Order)>;  ///< channel c of harmonic i at [3 i + c]
     static constexpr std::size_t light_numbers = 3 * harmonic_count(Order);
+    static constexpr std::string_view formula =
+        "E(n) = sum over i of sh.i Y_i(n); Y are the orthonormal real spherical harmonics of bands 0, 1, 2 "
+        "and "
+        "4, m from -l to l, without the Condon-Shortley sign";
+
+    [[nodiscard]] static std::string number_name(std::size_t i) {
+        return rgb_name("sh." + std::to_string(i / 3), i % 3);
+    }
 
     struct Question {
         explicit Question(const common::Vec3& shading_normal) : y(evaluate_sh<Order>(shading_normal)) {}

@@ -13,6 +13,12 @@ struct HemisphereFour {
     using Numbers =
         std::array<float, 12>;  ///< constant, then by x, y and z of the normal; three channels each
     static constexpr std::size_t light_numbers = 12;
+    static constexpr std::string_view formula = "E(n) = constant + x n.x + y n.y + z n.z";
+
+    [[nodiscard]] static std::string number_name(std::size_t i) {
+        constexpr std::array<const char*, 4> layers = {"constant", "x", "y", "z"};
+        return rgb_name(layers[i / 3], i % 3);
+    }
 
     struct Question {
         explicit Question(const common::Vec3& shading_normal) : normal(shading_normal) {}

@@ -12,6 +12,14 @@ struct LuminanceNine {
     /// Irradiance of the face's own normal, then harmonics 1 to 8 of a series that is 1 at that normal.
     using Numbers = std::array<float, 11>;
     static constexpr std::size_t light_numbers = 3;
+    static constexpr std::string_view formula =
+        "E(n) = own (1 + sum over i = 1 to 8 of shape.i (Y_i(n) - Y_i(N))); Y are the orthonormal real "
+        "spherical "
+        "harmonics of bands 1 and 2, m from -l to l, without the Condon-Shortley sign";
+
+    [[nodiscard]] static std::string number_name(std::size_t i) {
+        return i < 3 ? rgb_name("own", i) : "shape." + std::to_string(i - 2);
+    }
 
     struct Question {
         explicit Question(const common::Vec3& shading_normal) : y(evaluate_sh<2>(shading_normal)) {}

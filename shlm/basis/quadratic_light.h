@@ -22,8 +22,7 @@ struct QuadraticLight {
 /// multiplied out. `coefficients`: one for each harmonic, W/m^2.
 [[nodiscard]] inline QuadraticLight quadratic_light(
     const std::array<float, harmonic_count(2)>& coefficients) {
-    constexpr float c0 = 0.282094792f, c1 = 0.488602512f, c2 = 1.092548431f, c20 = 0.315391565f,
-                    c22 = 0.546274215f;
+    using namespace sh_constants;
     const auto& e = coefficients;
     const float xy = c2 / 2 * e[4], yz = c2 / 2 * e[5], xz = c2 / 2 * e[7];
     const float zz = 2 * c20 * e[6];  // 3 z^2 - 1 is 2 z^2 - x^2 - y^2

@@ -22,14 +22,29 @@ template <int Order>
 requires SupportedOrder<Order>
 using ShValues = std::array<float, harmonic_count(Order)>;
 
+/// Normalisation constants of evaluate_sh's polynomials, by band and |m|. The viewer's fragment program gets
+/// them from here.
+namespace sh_constants {
+inline constexpr float c0 = 0.282094792f;   // 1 / 2 sqrt(1 / pi)
+inline constexpr float c1 = 0.488602512f;   // 1 / 2 sqrt(3 / pi)
+inline constexpr float c2 = 1.092548431f;   // 1 / 2 sqrt(15 / pi)
+inline constexpr float c20 = 0.315391565f;  // 1 / 4 sqrt(5 / pi)
+inline constexpr float c22 = 0.546274215f;  // 1 / 4 sqrt(15 / pi)
+inline constexpr float c40 = 0.105785547f;  // 3 / 16 sqrt(1 / pi)
+inline constexpr float c41 = 0.669046544f;  // 3 / 4 sqrt(5 / (2 pi))
+inline constexpr float c42 = 0.473087348f;  // 3 / 8 sqrt(5 / pi)
+inline constexpr float c43 = 1.770130769f;  // 3 / 4 sqrt(35 / (2 pi))
+inline constexpr float c44 = 0.625835735f;  // 3 / 16 sqrt(35 / pi)
+}  // namespace sh_constants
+
 /// Orthonormal real harmonics at a unit direction, without the Condon-Shortley sign (Ramamoorthi and Hanrahan
 /// 2001, eq. 3, for bands 0 to 2).
 template <int Order>
 [[nodiscard]] inline ShValues<Order> evaluate_sh(const common::Vec3& d) {
+    using namespace sh_constants;
     ShValues<Order> y;
-    y[0] = 0.282094792f;  // 1 / 2 sqrt(1 / pi)
+    y[0] = c0;
     if constexpr (Order >= 1) {
-        constexpr float c1 = 0.488602512f;  // 1 / 2 sqrt(3 / pi)
         y[1] = c1 * d.y;
         y[2] = c1 * d.z;
         y[3] = c1 * d.x;
@@ -37,9 +52,6 @@ template <int Order>
     const float xx = d.x * d.x, yy = d.y * d.y, zz = d.z * d.z;
     const float xy = d.x * d.y, yz = d.y * d.z, xz = d.x * d.z;
     if constexpr (Order >= 2) {
-        constexpr float c2 = 1.092548431f;   // 1 / 2 sqrt(15 / pi)
-        constexpr float c20 = 0.315391565f;  // 1 / 4 sqrt(5 / pi)
-        constexpr float c22 = 0.546274215f;  // 1 / 4 sqrt(15 / pi)
         y[4] = c2 * xy;
         y[5] = c2 * yz;
         y[6] = c20 * (3 * zz - 1);
@@ -47,11 +59,6 @@ template <int Order>
         y[8] = c22 * (xx - yy);
     }
     if constexpr (Order >= 4) {
-        constexpr float c40 = 0.105785547f;  // 3 / 16 sqrt(1 / pi)
-        constexpr float c41 = 0.669046544f;  // 3 / 4 sqrt(5 / (2 pi))
-        constexpr float c42 = 0.473087348f;  // 3 / 8 sqrt(5 / pi)
-        constexpr float c43 = 1.770130769f;  // 3 / 4 sqrt(35 / (2 pi))
-        constexpr float c44 = 0.625835735f;  // 3 / 16 sqrt(35 / pi)
         y[9] = 4 * c44 * xy * (xx - yy);
         y[10] = c43 * yz * (3 * xx - yy);
         y[11] = 2 * c42 * xy * (7 * zz - 1);

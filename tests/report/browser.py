@@ -34,7 +34,7 @@ class BrowserError(Exception):
 class Browser:
     """One page. `requests` are the addresses asked for since the last `open`, `complaints` what the console had to say."""
 
-    def __init__(self, program):
+    def __init__(self, program, *flags):
         self._home = tempfile.TemporaryDirectory()
         to_browser, self._out = os.pipe()
         self._in, from_browser = os.pipe()
@@ -45,7 +45,7 @@ class Browser:
             os.dup2(writing, 4)
 
         self._process = subprocess.Popen(
-            [program, *FLAGS, f"--user-data-dir={self._home.name}", "about:blank"], preexec_fn=take_pipes, close_fds=False,
+            [program, *FLAGS, *flags, f"--user-data-dir={self._home.name}", "about:blank"], preexec_fn=take_pipes, close_fds=False,
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
         )
         os.close(to_browser)

@@ -1,0 +1,12 @@
+# Writes OUT, C++ that has the text of FILES (a list, split at |): cmake -D OUT=... -D FILES=... -P embed.cmake
+string(REPLACE "|" ";" FILES "${FILES}")
+set(text "#include \"bench/export/viewer_assets.h\"\n\n#include <map>\n#include <stdexcept>\n#include <string>\n\n")
+string(APPEND text "namespace bench {\n\nstd::string_view viewer_asset(std::string_view name) {\n")
+string(APPEND text "    static const std::map<std::string_view, std::string_view> all = {\n")
+foreach(file ${FILES})
+  get_filename_component(name ${file} NAME)
+  file(READ ${file} content)
+  string(APPEND text "        {\"${name}\", R\"viewer_asset(${content})viewer_asset\"},\n")
+endforeach()
+string(APPEND text "    };\n    return all.at(name);\n}\n\n}  // namespace bench\n")
+file(WRITE ${OUT} "${text}")

@@ -1,0 +1,119 @@
+"""The exported page in a headless Chromium: what its fragment programs draw, beside what the program answers. viewer_test.py SHLMBENCH SCENES_FOLDER
+
+Skipped where no browser is installed."""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+
+from browser import Browser, find_browser
+
+MAPS = ("shlm/L2/radiance/bilinear", "shlm/L4/radiance/bilinear", "shlm/L0/normalised/bilinear", "shlm/L1/radiance/bilinear", "shlm/H4/radiance/bilinear",
+        "shlm/AD/radiance/bilinear", "shlm/YL2/radiance/bilinear")
+EXACT = 1e-4  # relative RMS, largest there may be
+HARDWARE = 0.5  # of what the graphics card mixes itself: covered area does not count, and chart borders show
+SCENES = {"cornell": ("cornell", "uv,4096"), "bumpy": ("bumpy", "uv,4096"), "bumpy by face": ("bumpy", "face,4096"), "caustic by face": ("caustic", "face,4096")}
+
+
+def export(name, out):
+    scene, texels = SCENES[name]
+    words = [PROGRAM, "export", str(SCENE_FOLDER / f"{scene}.glb"), "--texels", texels, "--hits", "300000", "--method", ",".join([*MAPS, "photonmap/compact"]),
+             "--out", str(out)]
+    subprocess.run(words, check=True, capture_output=True, timeout=600)
+
+
+@unittest.skipUnless(find_browser(), "no Chromium is installed: the page is not opened (.ci/prepare installs chromium-headless-shell)")
+class Viewer(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(temporary.cleanup)
+        cls.root = Path(temporary.name)
+        for name in SCENES:
+            export(name, cls.root / name)
+        cls.browser = Browser(find_browser(), "--use-angle=swiftshader")
+        cls.addClassCleanup(cls.browser.close)
+
+    def open(self, name, state="", **size):
+        self.browser.open((self.root / name / "viewer.html").as_uri() + (f"#{state}" if state else ""), **size)
+        self.browser.evaluate("window.shlmViewer.then(() => true)")
+
+    def tested(self, name, state=""):
+        self.open(name, state)
+        return self.browser.evaluate("window.shlmTest()")
+
+    def test_every_basis_gives_the_programs_answers(self):
+        for name in SCENES:
+            with self.subTest(name):
+                result = self.tested(name)
+                self.assertEqual(self.browser.complaints, [])
+                self.assertEqual([r for r in self.browser.requests if not r.startswith(("file:", "data:", "blob:"))], [])
+                self.assertEqual({row["method"] for row in result["rows"]}, {f"{m}/half" for m in MAPS})
+                for row in result["rows"]:
+                    with self.subTest(f"{row['method']} {row['filter']}"):
+                        self.assertGreater(row["compared"], 0.9 * row["pixels"])
+                        self.assertLess(row["rms"], EXACT if row["filter"] == "exact" else HARDWARE)
+                self.assertTrue(result["passed"])
+
+    def test_planted_mistakes_are_found(self):
+        for name, faults in {"bumpy": ("order", "tangent", "texcoord", "atlas", "constant"), "bumpy by face": ("atlas", "tangent")}.items():
+            for fault in faults:
+                with self.subTest(f"{name}: {fault}"):
+                    result = self.tested(name, f"fault={fault}")
+                    self.assertFalse(result["passed"])
+                    self.assertGreater(max(row["rms"] for row in result["rows"] if row["filter"] == "exact"), 5 * EXACT)
+
+    def pixels(self, state, **size):
+        """How many different colours the canvas has, and its mean colour."""
+        self.open("bumpy", state, **size)
+        return self.browser.evaluate("""window.shlmViewer.then(viewer => { viewer.drawNow(); const { gl } = viewer.renderer, w = viewer.canvas.width, h = viewer.canvas.height;
+            const p = new Uint8Array(4 * w * h); gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p); const seen = new Set(); let sum = 0;
+            for (let i = 0; i < p.length; i += 4) { seen.add(p[i] << 16 | p[i + 1] << 8 | p[i + 2]); sum += p[i] + p[i + 1] + p[i + 2]; } return [seen.size, sum / p.length * 4 / 3]; })""")
+
+    def test_every_picture_shows_something(self):
+        plain = self.pixels("")
+        self.assertGreater(plain[0], 500)
+        means = {round(plain[1], 2)}
+        for state in ("sa=1", "sa=2", "sa=3", "sa=4", "sa=5", "sa=6", "tilt=40", "strength=0", "exposure=2", "fa=hardware", "a=2"):
+            with self.subTest(state):
+                colours, mean = self.pixels(state)
+                self.assertGreater(colours, 20)
+                means.add(round(mean, 2))
+                self.assertEqual(self.browser.complaints, [])
+        self.assertGreater(len(means), 9, "pictures that are to differ are alike")
+
+    def test_a_point_tells_its_texel(self):
+        self.open("bumpy")
+        self.browser.evaluate("window.shlmViewer.then(viewer => viewer.probe(viewer.canvas.clientWidth / 2, viewer.canvas.clientHeight * 0.6))")
+        said = self.browser.evaluate("document.getElementById('probe').textContent")
+        self.assertRegex(said, r"Texel \d+, \d+ of the atlas, \d+ hits")
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('#probe canvas').length"), 8)  # the seven and an order below
+        self.assertEqual(self.browser.complaints, [])
+
+    def test_keys_walk_and_the_address_remembers(self):
+        self.open("bumpy")
+        self.browser.evaluate("document.getElementById('scene').focus()")
+        self.browser.press("ArrowUp")
+        self.assertIn("camera=", self.browser.evaluate("location.hash"))
+        eye = self.browser.evaluate("window.shlmViewer.then(viewer => viewer.camera.eye)")
+        state = self.browser.evaluate("location.hash.slice(1)")
+        self.open("bumpy", state)
+        for before, after in zip(eye, self.browser.evaluate("window.shlmViewer.then(viewer => viewer.camera.eye)")):
+            self.assertAlmostEqual(before, after, delta=1e-3)
+
+    def test_times_name_what_drew_them(self):
+        self.open("cornell")
+        result = self.browser.evaluate("window.shlmTimes(1)")
+        self.assertTrue(result["software"], result["renderer"])
+        self.assertTrue(all(row["fetches"] > 0 for row in result["rows"]))
+        plain, order_2 = (next(row for row in result["rows"] if row["choice"] == choice and row["filter"] == "hardware") for choice in ("L0 normalised", "L2 radiance"))
+        self.assertEqual((plain["fetches"], order_2["fetches"]), (1, 7))
+
+
+if __name__ == "__main__":
+    PROGRAM, SCENE_FOLDER = sys.argv[1], Path(sys.argv[2])
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

@@ -1,4 +1,4 @@
-// Hits of a wave into rows that follow one another, by all threads.
+// Stores the hits of a wave in consecutive rows, with all threads.
 #pragma once
 
 #include <oneapi/tbb/parallel_for.h>
@@ -10,7 +10,7 @@
 namespace photonmap {
 
 /// Calls `make_room(count)` with the number of finite hits in the wave, then `store(row, batch, i)` for each
-/// of them, by any thread: rows 0, 1, ... in the order of the hits, whatever the threads. Returns that
+/// of them, on any thread. Rows 0, 1, ... are in the order of the hits, whatever the threads. Returns that
 /// number.
 template <class MakeRoom, class Store>
 std::size_t store_finite_hits(std::span<const common::HitBatch> wave, MakeRoom make_room, Store store) {

@@ -6,14 +6,14 @@
 
 namespace photonmap {
 
-/// The k nearest. More photons in the map shrink the radius and leave the noise as it is: 1 / sqrt(k - 2).
+/// The k nearest photons. More photons in the map shrink the radius; the noise stays at 1 / sqrt(k - 2).
 struct NearestPhotons {
     std::size_t count = 50;
     friend bool operator==(const NearestPhotons&, const NearestPhotons&) = default;
 };
 
-/// The k nearest with k = factor * N^(2/3) of the N photons stored, at least 2: noise and blur both vanish as
-/// N grows, at the best rate that a density estimate has (Knaus and Zwicker 2011).
+/// The k nearest photons with k = factor * N^(2/3) of the N photons stored, at least 2. Variance and bias
+/// both vanish as N grows, at the best rate of a density estimate (Knaus and Zwicker 2011).
 struct GrowingNumber {
     double factor;
     friend bool operator==(const GrowingNumber&, const GrowingNumber&) = default;
@@ -33,18 +33,19 @@ enum class Kernel { disc, cone, epanechnikov };
 struct GatherSettings {
     PhotonSelection selection = NearestPhotons{};
     Kernel kernel = Kernel::disc;
-    /// World units, > 0: a sparse place uses the photons inside and looks no farther. Not for FixedRadius.
+    /// Largest radius, world units, > 0: a gather at a sparse place uses only the photons inside. Not for
+    /// FixedRadius.
     float max_radius = 0;
 };
 
-/// No photon farther than this counts, world units.
+/// Returns the radius beyond which no photon counts, world units.
 [[nodiscard]] inline float largest_radius(const GatherSettings& settings, float scene_diagonal) {
     if (const auto* fixed = std::get_if<FixedRadius>(&settings.selection))
         return static_cast<float>(fixed->diagonal_fraction) * scene_diagonal;
     return settings.max_radius;
 }
 
-/// A max_radius for scenes about which nothing is known: 1/20 of the diagonal.
+/// Returns a max_radius for scenes about which nothing is known: 1/20 of the diagonal.
 [[nodiscard]] inline float default_max_radius(float scene_diagonal) {
     return scene_diagonal / 20;
 }

@@ -1,4 +1,4 @@
-// How much a photon at some distance from the gather point counts.
+// Weights of photons by their distance from the gather point.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace photonmap {
 
-// Weights over the unit disc whose mean over the disc is 1, so that the estimate of uniform light is right.
+// Weights over the unit disc with a mean of 1 over it, so that the estimate of uniform light is unbiased.
 
 struct DiscKernel {
     [[nodiscard]] float operator()(float /*distance_sq_over_radius_sq*/) const { return 1.0f; }

@@ -1,4 +1,4 @@
-// A photon in 24 bytes: exact where it is found by, rounded where it is summed.
+// A photon in 24 bytes: the position is exact, what is summed is rounded.
 #pragma once
 
 #include <bit>
@@ -8,14 +8,14 @@
 
 namespace photonmap {
 
-/// Three numbers >= 0 with ten bits each of the largest one's exponent (Ward 1991, "Real Pixels", with two
-/// bits more): each is within 2^-10 of the largest. 38 bits.
+/// Three numbers >= 0 of ten bits each, with the exponent of the largest (Ward 1991, "Real Pixels", with two
+/// bits more). Each is within 2^-10 of the largest. 38 bits.
 struct SharedExponent {
     [[nodiscard]] static std::uint64_t pack(const common::Rgb& c) {
         constexpr float largest_finite = 3e38f, smallest = 0x1p-116f;
         const float largest = std::min(common::max_component(c), largest_finite);
         if (!(largest >= smallest)) return 0;
-        // The scale is a power of two at which the largest is from 512 to 1024, or from 512 where that
+        // The scale is a power of two that brings the largest to the range from 512 to 1024, or to 512 if it
         // would be rounded up to 1024.
         std::uint32_t exponent = (std::bit_cast<std::uint32_t>(largest) >> 23) - 9;
         if (largest / scale(exponent) >= 1023.5f) ++exponent;
@@ -35,10 +35,11 @@ struct SharedExponent {
     static float scale(std::uint32_t exponent) { return std::bit_cast<float>(exponent << 23); }
 };
 
-/// What one photon adds: its flux on a plane that faces it, and the way it travels. 38 and 26 bits.
+/// The contribution of one photon: its flux on a plane that faces it, and its direction of travel. 38 and 26
+/// bits.
 ///
-/// The flux has been divided by the cosine of incidence before it is rounded. So a gather needs no normal for
-/// the sum, and a rounded normal cannot weigh a grazing photon wrongly.
+/// The flux is divided by the cosine of incidence before it is rounded. So a gather needs no normal for the
+/// sum, and a rounded normal cannot give a grazing photon a wrong weight.
 struct PackedLight {
     std::uint64_t bits;
 
@@ -53,11 +54,11 @@ struct PackedLight {
     }
 };
 
-/// The normal of its surface on the side it arrived at decides only whether a photon counts: 16 bits, within
-/// a degree.
+/// The normal of the photon's surface, on the side of arrival. It only decides whether a photon counts: 16
+/// bits, within a degree.
 using PackedNormal = common::Octahedral<8>;
 
-/// As it is stored while photons are traced: nothing is added later but the boxes of the index.
+/// A photon as stored during tracing: later only the boxes of the index are added.
 struct PackedPhoton {
     common::Vec3 position;
     std::uint16_t arrival_normal;

@@ -1,4 +1,4 @@
-// Packed photons: on their way into a map, and in it.
+// Packed photons, during tracing and in a map.
 #pragma once
 
 #include <span>
@@ -12,14 +12,14 @@
 
 namespace photonmap {
 
-/// What the gather asks about photons that CompactIndex has the positions of; 10 bytes a place.
+/// The photons' data for gathers, except for positions, which CompactIndex has; 10 bytes per place.
 class PackedPhotons {
   public:
     PackedPhotons() = default;
 
-    /// Whether a photon's surface faces as `normal` does.
+    /// Returns a predicate that tells whether a photon's surface faces as `normal` does.
     [[nodiscard]] auto same_surface(const common::Scene& /*scene*/, const common::Vec3& normal) const {
-        // Neighbours mostly lie on one plane: what was said of a normal is kept.
+        // Neighbours mostly lie on one plane, so the answer for the last normal is kept.
         return [normals = normals_.span().data(), normal, known = std::uint32_t{0x10000},
                 answer = false](std::uint32_t i) mutable {
             if (normals[i] != known) {
@@ -30,7 +30,7 @@ class PackedPhotons {
         };
     }
 
-    /// A photon's flux as the shading normal sees it, W times the number emitted.
+    /// Returns a photon's flux for the shading normal, W times the number emitted.
     [[nodiscard]] common::Rgb tilted_flux(const common::Scene& /*scene*/, std::uint32_t i,
                                           const common::Vec3& shading_normal) const {
         return lights_[i].facing_flux() * std::max(0.0f, -lights_[i].direction().dot(shading_normal));
@@ -48,10 +48,10 @@ class PackedPhotons {
     std::size_t size_ = 0;
 };
 
-/// Takes hits: append-only.
+/// Stores hits: append-only.
 class PackedPhotonStorage {
   public:
-    /// `scene` must outlive it.
+    /// `scene` must outlive this object.
     explicit PackedPhotonStorage(const common::Scene& scene) : scene_(&scene) {}
 
     /// Appends the finite hits of a wave in order, with all threads of the calling arena. Throws InputError
@@ -62,7 +62,7 @@ class PackedPhotonStorage {
         PackedPhotons photons;
         CompactIndex index;
     };
-    /// In the order of the index.
+    /// Returns the photons in the order of the index, and the index.
     [[nodiscard]] Indexed indexed() &&;
 
     [[nodiscard]] std::size_t size() const { return photons_.size(); }

@@ -1,4 +1,4 @@
-// What a photon map keeps of a hit beside its position.
+// The data of a hit that a photon map keeps beside its position.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +10,22 @@
 
 namespace photonmap {
 
-/// Positions are kept apart, in an array that the index is built over.
+/// Positions are in a separate array, over which the index is built.
 struct Photon {
     common::Vec3 direction;  ///< unit, the way it travelled: towards the surface
     common::Rgb flux;        ///< W times the number emitted; the map scales the sum
     std::uint32_t triangle;  ///< the surface it is on
 };
 
-/// Unit normal of the photon's surface on the side it arrived at.
+/// Returns the unit normal of the photon's surface on the side of arrival.
 [[nodiscard]] inline common::Vec3 arrival_normal(const Photon& photon,
                                                  std::span<const common::Vec3> triangle_normal) {
     const common::Vec3& normal = triangle_normal[photon.triangle];
     return photon.direction.dot(normal) < 0 ? normal : -normal;
 }
 
-/// Its flux as a shading normal sees it: what a unit of irradiance on its own surface becomes on a plane with
-/// that normal is the ratio of the two cosines of incidence.
+/// Returns the photon's flux for a shading normal. The ratio of the two cosines of incidence converts
+/// irradiance on its own surface to irradiance on a plane with that normal.
 [[nodiscard]] inline common::Rgb tilted_flux(const Photon& photon,
                                              std::span<const common::Vec3> triangle_normal,
                                              const common::Vec3& shading_normal) {

@@ -16,7 +16,7 @@
 
 namespace photonmap {
 
-/// What a gather asks about the photons that an index finds.
+/// The data that a gather needs of the photons that an index finds.
 template <class P>
 concept PhotonStore = requires(const P& photons, const common::Scene& scene, std::uint32_t index,
                                const common::Vec3& normal) {
@@ -32,7 +32,7 @@ struct IndexedPhotons {
     Photons photons;
     Index index;
 
-    /// Of a photon: kept once, by the photons or by the index.
+    /// Returns the position of a photon, which either the photons or the index store.
     [[nodiscard]] common::Vec3 position(std::uint32_t i) const {
         if constexpr (requires { photons.positions(); })
             return photons.positions()[i];
@@ -41,31 +41,30 @@ struct IndexedPhotons {
     }
 };
 
-/// Finished, immutable.
+/// A finished, immutable photon map.
 template <common::PointIndex Index, PhotonStore Photons = PhotonStorage>
 class PhotonMap {
   public:
     using Stored = IndexedPhotons<Index, Photons>;
 
-    /// `scene` and `covers`, where there is one, must outlive the map. `watts_per_flux` as in
-    /// common::MapSink.
+    /// `scene` and `covers`, if it is not null, must outlive the map. `watts_per_flux` as in common::MapSink.
     PhotonMap(const common::Scene& scene, Stored photons, float watts_per_flux, GatherSettings settings,
               const common::CoveringSurfaces* covers = nullptr)
         : PhotonMap(scene, std::make_shared<const Stored>(std::move(photons)), watts_per_flux, settings,
                     covers) {}
 
-    /// The same photons asked in another way.
+    /// Returns a map of the same photons with other gather settings.
     [[nodiscard]] PhotonMap with_gather(const GatherSettings& settings) const {
         return PhotonMap(*scene_, stored_, watts_per_flux_, settings, covers_);
     }
 
-    /// Irradiance for the shading normal, W/m^2.
+    /// Returns the irradiance for the shading normal, W/m^2.
     ///
-    /// The photons that count are those within the largest radius whose surface faces as the point's does,
-    /// but for those that lie on or over a surface that covers the point (Uncovered).
-    /// Where k are asked for and found, the k-th nearest gives the radius and does not count itself, so that
-    /// k - 1 are divided by the area: with k in the numerator the estimate of uniform light would be
-    /// k / (k - 1) of the truth. Otherwise the radius is the largest and all of them count.
+    /// Photons count if they are within the largest radius and their surface faces as the point's does,
+    /// except those on or over a surface that covers the point (Uncovered). If k are asked for and found, the
+    /// k-th nearest gives the radius and does not count itself, so that k - 1 are divided by the area. With k
+    /// in the numerator, the estimate of uniform light would be k / (k - 1) of the truth. Otherwise the
+    /// radius is the largest and all of them count.
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const {
         return with_kernel(kernel_, [&](auto kernel) {
             return nearest_ > 0 ? from_nearest(point, kernel) : from_all_within(point, kernel);
@@ -78,7 +77,7 @@ class PhotonMap {
 
     [[nodiscard]] std::size_t size() const { return stored_->photons.size(); }
 
-    /// Photons per gather; 0: all within the radius.
+    /// Returns the number of photons per gather; 0: all within the radius.
     [[nodiscard]] std::size_t nearest() const { return nearest_; }
 
   private:
@@ -100,7 +99,7 @@ class PhotonMap {
         return 0;
     }
 
-    /// Says of each photon whether it counts. `point` must outlive it.
+    /// Returns a predicate that tells whether a photon counts. `point` must outlive it.
     [[nodiscard]] auto counted_at(const common::SurfacePoint& point) const {
         return [stored = stored_.get(),
                 same_surface = stored_->photons.same_surface(*scene_, point.geometric_normal),
@@ -121,7 +120,7 @@ class PhotonMap {
 
         std::span<const NearestSelection::Key> counted = nearest.finish();
         if (counted.size() == nearest_) {
-            // Photons that all lie in one point have no radius of their own.
+            // Photons that all lie in one point would give a radius of 0.
             radius_sq = std::max(NearestSelection::distance_sq(counted.front()), radius_sq * 1e-8f);
             counted = counted.subspan(1);
         }
@@ -150,10 +149,10 @@ class PhotonMap {
         return over_disc(sum, radius_sq);
     }
 
-    /// Of the photons of one gather. In double: equal floats round the same way again and again, and a
-    /// million of them would be off by up to 1 %.
+    /// The sum of the photons' flux in one gather. In double, as equal floats always round the same way: the
+    /// sum of a million could be off by 1 %.
     using FluxSum = Imath::Color3<double>;
-    /// So few are off by 2^-19 at most, and faster.
+    /// So few floats have an error of at most 2^-19, and their sum is faster.
     static constexpr std::size_t summed_in_float = 64;
 
     [[nodiscard]] common::Rgb over_disc(const FluxSum& sum, float radius_sq) const {
@@ -165,7 +164,7 @@ class PhotonMap {
     }
 
     const common::Scene* scene_;
-    const common::CoveringSurfaces* covers_;  ///< null: nothing is asked of them
+    const common::CoveringSurfaces* covers_;  ///< null: all photons are uncovered
     std::shared_ptr<const Stored> stored_;
     float watts_per_flux_;
     Kernel kernel_;

@@ -10,14 +10,14 @@
 
 namespace photonmap {
 
-/// Appends during tracing and builds its index once over all photons when finished. `Engine` says in what
-/// photons are kept, and how they are indexed.
+/// Appends photons during tracing and builds the index once over all of them when finished. `Engine`
+/// determines how photons are stored and indexed.
 template <class Engine>
 class BulkPhotonSink {
   public:
     using Map = typename Engine::Map;
 
-    /// `scene` and `covers`, where there is one, must outlive the sink and its map.
+    /// `scene` and `covers`, if it is not null, must outlive the sink and its map.
     BulkPhotonSink(const common::Scene& scene, GatherSettings settings,
                    const common::CoveringSurfaces* covers = nullptr)
         : scene_(&scene), settings_(settings), covers_(covers), photons_(Engine::storage(scene)) {}
@@ -39,7 +39,7 @@ class BulkPhotonSink {
     typename Engine::Storage photons_;
 };
 
-/// A tree over photons sorted along a space-filling curve: how photon maps are made today.
+/// A tree over photons sorted along a space-filling curve: how photon maps are usually made today.
 template <common::PointIndex Index>
 struct TreeOverCurve {
     using Map = PhotonMap<Index>;
@@ -55,7 +55,7 @@ struct TreeOverCurve {
     }
 };
 
-/// Photons sorted into the cells of a grid made for the largest radius of its gathers.
+/// Photons sorted into the cells of a grid that is made for the largest gather radius.
 struct CellsOfRadius {
     using Map = PhotonMap<GridIndex>;
     using Storage = PhotonStorage;
@@ -71,7 +71,7 @@ struct CellsOfRadius {
     }
 };
 
-/// Photons packed as they come, under the compact index: the strongest photon map that this suite has.
+/// Photons packed as they arrive, with the compact index: the strongest photon map that this suite has.
 struct PackedUnderCompactTree {
     using Map = PhotonMap<CompactIndex, PackedPhotons>;
     using Storage = PackedPhotonStorage;
@@ -84,11 +84,11 @@ struct PackedUnderCompactTree {
     }
 };
 
-/// Inserts every photon into the tree as it comes: what the paper measures itself against.
+/// Inserts every photon into the tree as it arrives: the baseline of the paper.
 template <class Index>
 class IncrementalPhotonSink {
   public:
-    /// As BulkPhotonSink.
+    /// Has the same requirements as BulkPhotonSink.
     IncrementalPhotonSink(const common::Scene& scene, GatherSettings settings,
                           const common::CoveringSurfaces* covers = nullptr)
         : scene_(&scene), settings_(settings), covers_(covers) {}

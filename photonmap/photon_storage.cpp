@@ -29,10 +29,10 @@ PhotonStorage PhotonStorage::sorted_along_curve() && {
 }
 
 PhotonStorage PhotonStorage::in_order(std::span<const std::uint32_t> order) && {
-    // No more room than it takes: valgrind has 128 GiB of addresses, too few to reserve the most for both.
+    // Reserves no more than needed: valgrind has 128 GiB of addresses, too few for two full reservations.
     PhotonStorage sorted(std::max<std::size_t>(1, size()));
     sorted.rejected_ = rejected_;
-    // One column after the other, each given back at once: the two copies decide how many photons fit.
+    // Moves one column at a time and frees it at once, as the two copies limit how many photons fit.
     const auto move_column = [&](auto& sorted_column, auto& own_column) {
         const auto column = std::move(own_column);
         const auto out = sorted_column.grow(column.size());

@@ -1,4 +1,4 @@
-// The photons themselves, at addresses that stay.
+// Photons at addresses that do not change.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace photonmap {
 /// Append-only columns of positions and photons.
 class PhotonStorage {
   public:
-    /// Room for what one index can count.
+    /// The number of photons that one index can count.
     static constexpr std::size_t max_photons = 0xffffffff;
 
     PhotonStorage() : PhotonStorage(max_photons) {}
@@ -22,13 +22,13 @@ class PhotonStorage {
     /// std::bad_alloc past max_photons.
     void append(std::span<const common::HitBatch> wave);
 
-    /// The same photons in the order of common::morton_order.
+    /// Returns the same photons in the order of common::morton_order.
     [[nodiscard]] PhotonStorage sorted_along_curve() &&;
 
-    /// The same photons, those of `order` one after the other: each index once.
+    /// Returns the same photons in the order of `order`, which has each index once.
     [[nodiscard]] PhotonStorage in_order(std::span<const std::uint32_t> order) &&;
 
-    /// Whether a photon's surface faces as `normal` does.
+    /// Returns a predicate that tells whether a photon's surface faces as `normal` does.
     [[nodiscard]] auto same_surface(const common::Scene& scene, const common::Vec3& normal) const {
         return [this, &scene, normal](std::uint32_t i) {
             return arrival_normal(photons_[i], scene.geometric_normal).dot(normal) >
@@ -36,7 +36,7 @@ class PhotonStorage {
         };
     }
 
-    /// A photon's flux as the shading normal sees it, W times the number emitted.
+    /// Returns a photon's flux for the shading normal, W times the number emitted.
     [[nodiscard]] common::Rgb tilted_flux(const common::Scene& scene, std::uint32_t i,
                                           const common::Vec3& shading_normal) const {
         return photonmap::tilted_flux(photons_[i], scene.geometric_normal, shading_normal);

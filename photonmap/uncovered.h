@@ -1,4 +1,4 @@
-// Which photons lie on the near side of what covers the gather point.
+// Selects the photons that no surface over the gather point separates from it.
 #pragma once
 
 #include <limits>
@@ -7,16 +7,16 @@
 
 namespace photonmap {
 
-/// Photons of a layer that covers the point, and of whatever is higher, are light that the layer kept from
-/// it: they do not count. A photon that is no higher than the point always counts, and so does one that is
-/// higher with nothing over the point, such as the next step's or that of a panel beside it: those stand for
-/// photons that the point's own surface has not, where it ends or is in the shadow of the other.
+/// Photons on a layer that covers the point, or higher, are light that the layer kept from the point, so they
+/// do not count. A photon that is no higher than the point always counts. So does a higher one if nothing is
+/// over the point, such as one on the next step or on a panel beside it. It stands for photons that the
+/// point's own surface lacks, where that surface ends or is in the other's shadow.
 ///
-/// What the photon's own surface is does not matter, so that soups of triangles and edges that do not match
-/// answer as whole surfaces do.
+/// The photon's own surface does not matter, so that triangle soups and edges that do not match give the same
+/// result as whole surfaces.
 class Uncovered {
   public:
-    /// Where `covers` is null all photons are uncovered. Both must outlive it.
+    /// If `covers` is null, all photons are uncovered. Both must outlive this object.
     Uncovered(const common::CoveringSurfaces* covers, const common::SurfacePoint& point)
         : covers_(covers),
           point_(&point),
@@ -26,14 +26,14 @@ class Uncovered {
         const float height = (photon - point_->position).dot(point_->geometric_normal);
         if (!(height > free_up_to_)) return true;
         if (!covers_) return false;
-        // Most gathers find nothing that is higher than their point: no ray is cast before one does.
+        // Most gathers find no photon higher than their point, so the ray is cast only once there is one.
         free_up_to_ = std::max(free_up_to_, covers_->height_over(*point_) - covers_->rounding());
         covers_ = nullptr;
         return !(height > free_up_to_);
     }
 
   private:
-    const common::CoveringSurfaces* covers_;  ///< until it has been asked
+    const common::CoveringSurfaces* covers_;  ///< null after it has been queried
     const common::SurfacePoint* point_;
     float free_up_to_;  ///< height over the point, world units
 };

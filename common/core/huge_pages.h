@@ -1,4 +1,4 @@
-// Memory for large arrays that are read and written all over: in pages of 2 MiB where the system has them.
+// Allocation of large arrays with random access, in pages of 2 MiB where the system has them.
 #pragma once
 
 #include <sys/mman.h>
@@ -10,8 +10,8 @@
 
 namespace common {
 
-/// With pages of 4 KiB the addresses of an array beyond some MiB do not fit into a core's table of pages, and
-/// looking them up costs as much as fetching what is there.
+/// Allocates in pages of 2 MiB. With pages of 4 KiB, an array of more than some MiB exceeds a core's TLB, and
+/// a TLB miss costs as much as the access to memory itself.
 template <class T>
 struct HugePageAllocator {
     using value_type = T;
@@ -25,7 +25,7 @@ struct HugePageAllocator {
         if (bytes < least_bytes) return static_cast<T*>(::operator new(bytes, std::align_val_t(alignof(T))));
         void* memory = std::aligned_alloc(page, (bytes + page - 1) / page * page);
         if (memory == nullptr) throw std::bad_alloc();
-        madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: nothing depends on it but speed
+        madvise(memory, bytes, MADV_HUGEPAGE);  // a hint: only speed depends on it
         return static_cast<T*>(memory);
     }
 

@@ -10,7 +10,7 @@ volatile std::sig_atomic_t noted = 0;
 
 void note(int signal) {
     noted = 1;
-    // A terminal that goes may say so more than once: by its shell and by the kernel.
+    // A closing terminal may cause several SIGHUPs: one from the shell and one from the kernel.
     if (signal != SIGHUP) std::signal(signal, SIG_DFL);
 }
 
@@ -19,7 +19,7 @@ void note(int signal) {
 void note_interrupts() {
     std::signal(SIGINT, note);
     std::signal(SIGTERM, note);
-    if (std::signal(SIGHUP, note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as nohup wants it
+    if (std::signal(SIGHUP, note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // so that nohup works
 }
 
 bool interrupted() {

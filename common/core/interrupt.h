@@ -1,10 +1,10 @@
-// Ctrl-C, SIGTERM and a closed terminal as a question that long work asks between two steps.
+// Requests to stop (Ctrl-C, SIGTERM, a closed terminal), which long work polls between two steps.
 #pragma once
 
 namespace common {
 
-/// From now on the first SIGINT or SIGTERM is only noted; a second one ends the process as usual. SIGHUP is
-/// noted however often it comes, unless whoever started the process had it ignored.
+/// Installs handlers that only record the first SIGINT or SIGTERM; a second one ends the process as usual.
+/// SIGHUP is recorded however often it comes, unless the parent process had it ignored.
 void note_interrupts();
 
 [[nodiscard]] bool interrupted();

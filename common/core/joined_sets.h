@@ -1,4 +1,4 @@
-// Sets that are joined two by two.
+// Disjoint sets (union-find).
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace common {
 
-/// Each of 0, 1, ... is in a set of its own until it is joined.
+/// Starts with each of the elements 0, 1, ... in a set of its own.
 class JoinedSets {
   public:
     explicit JoinedSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -19,7 +19,7 @@ class JoinedSets {
         parent_[std::max(a, b)] = std::min(a, b);
     }
 
-    /// The set that each is in, numbered from 0 in the order of their lowest.
+    /// Returns the set of each element. Sets are numbered from 0 in the order of their lowest elements.
     [[nodiscard]] std::vector<std::uint32_t> numbers() {
         std::vector<std::uint32_t> number(parent_.size());
         std::uint32_t next = 0;

@@ -23,7 +23,8 @@ std::size_t proc_bytes(const char* file, const std::string& name) {
     return 0;
 }
 
-/// What cgroup v2 lets this process's group still take; page cache that can be dropped does not count.
+/// Returns the bytes left under the limit of this process's cgroup (version 2). Droppable page cache does not
+/// count as used.
 std::size_t left_in_control_group() {
     constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
     std::string group;
@@ -45,7 +46,7 @@ std::size_t left_in_control_group() {
 
 std::size_t heap_bytes() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    return __sanitizer_get_current_allocated_bytes();  // they replace malloc, and with it mallinfo2
+    return __sanitizer_get_current_allocated_bytes();  // the sanitizers replace malloc, and with it mallinfo2
 #else
     const auto info = mallinfo2();
     return info.uordblks + info.hblkhd;

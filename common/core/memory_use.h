@@ -1,26 +1,27 @@
-// How much memory the process uses, asked where it is handed out.
+// Memory use of the process, as the allocator and the system report it.
 #pragma once
 
 #include <cstddef>
 
 namespace common {
 
-/// Bytes that the program has allocated on the heap and not freed. The difference across a call, with no
-/// other thread allocating, is what the call keeps: for libraries that cannot say so themselves.
+/// Returns the bytes that the program has allocated on the heap and not freed. The difference across a call
+/// is what the call keeps, if no other thread allocates. This measures libraries that do not report their
+/// memory.
 [[nodiscard]] std::size_t heap_bytes();
 
 /// Largest resident size since the start or the last reset, bytes.
 [[nodiscard]] std::size_t peak_resident_bytes();
 
-/// Resident now, bytes.
+/// Current resident size, bytes.
 [[nodiscard]] std::size_t resident_bytes();
 
-/// Gives freed heap memory back to the system and starts the peak anew from what is resident now. False where
-/// the system does not let the peak be reset.
+/// Returns freed heap memory to the system and resets the peak to the current resident size. Returns false if
+/// the system cannot reset the peak.
 bool reset_peak_resident_bytes();
 
-/// Memory that this process may still use without swapping or being killed, bytes: of the machine, and of its
-/// control group (version 2) where that is less.
+/// Returns the bytes that this process may still use without swapping or being killed: the smaller of the
+/// limits of the machine and of its control group (version 2).
 [[nodiscard]] std::size_t available_bytes();
 
 }  // namespace common

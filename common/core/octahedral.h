@@ -1,4 +1,4 @@
-// A unit vector in few bits.
+// Compact encoding of unit vectors.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace common {
 
-/// Unit vectors as points of an octahedron unfolded into a square (Cigolle et al. 2014, "A Survey of
-/// Efficient Representations for Independent Unit Vectors"), each coordinate in 2^Bits - 1 equal steps: the
-/// axes and everything in between them that is a multiple of a step are exact. What comes back is within
-/// sqrt(4.5) / (2^(Bits - 1) - 1) radians.
+/// Encodes unit vectors as points of an octahedron unfolded into a square (Cigolle et al. 2014, "A Survey of
+/// Efficient Representations for Independent Unit Vectors"). Each coordinate has 2^Bits - 1 equally spaced
+/// values. The axes, and all vectors whose coordinates are multiples of the spacing, are exact. The decoded
+/// vector is within sqrt(4.5) / (2^(Bits - 1) - 1) radians of the original.
 template <int Bits>
 struct Octahedral {
     static constexpr int half_steps = (1 << (Bits - 1)) - 1;
@@ -27,7 +27,7 @@ struct Octahedral {
         return step(s) | step(t) << Bits;
     }
 
-    /// Unit.
+    /// Returns a unit vector.
     [[nodiscard]] static Vec3 unpack(std::uint32_t packed) {
         Vec3 v(value(packed & mask), value(packed >> Bits & mask), 0);
         v.z = 1 - std::abs(v.x) - std::abs(v.y);

@@ -16,16 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 0 where a file of this name could be made, else what errno says. It is gone again at once.
+/// Returns 0 if a file of this name can be created, else errno. Removes the file at once.
 int trouble_with_making(const fs::path& file) {
     const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    if (descriptor < 0) return errno == EEXIST ? 0 : errno;  // left by a process that had this one's number
+    if (descriptor < 0) return errno == EEXIST ? 0 : errno;  // left by an earlier process with the same id
     close(descriptor);
     unlink(file.c_str());
     return 0;
 }
 
-/// 0, or what errno says.
+/// Returns 0 or errno.
 int write_all(int descriptor, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = write(descriptor, bytes.data(), bytes.size());
@@ -54,7 +54,7 @@ fs::path temporary_beside(const fs::path& file) {
 
 void check_output_file(const std::string& option, const fs::path& file) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    std::error_code ignored;  // a path that cannot be looked at is no folder either
+    std::error_code ignored;  // a path that cannot be examined counts as no folder
     if (!fs::is_directory(folder, ignored))
         throw InputError(
             fmt::format("{}: {}: there is no folder {}", option, file.string(), folder.string()));
@@ -87,7 +87,7 @@ void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
     const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor < 0) fail(errno);
     int error = write_all(descriptor, bytes);
-    // What did not reach the disk is not whole: a full one may say so only now.
+    // A full disk may report its error only here.
     if (error == 0 && fsync(descriptor) != 0 && errno != EINVAL && errno != ENOSYS) error = errno;
     if (close(descriptor) != 0 && error == 0) error = errno;
     if (error == 0 && std::rename(temporary.c_str(), file.c_str()) != 0) error = errno;

@@ -14,7 +14,7 @@
 namespace common {
 namespace {
 
-/// Whether the path still leads to the open file: whoever had the lock before took it away at its end.
+/// Returns whether the path still names the open file, as the previous holder removes it when it ends.
 bool is_still_there(int descriptor, const std::filesystem::path& path) {
     struct stat opened {
     }, found{};

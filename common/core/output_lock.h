@@ -1,4 +1,4 @@
-// One writer at a time for a file that long work goes into.
+// A lock that lets only one process at a time write the output file of long work.
 #pragma once
 
 #include <filesystem>
@@ -6,12 +6,12 @@
 
 namespace common {
 
-/// While it lives no other process gets the lock of `file`. It is the system's, on an empty file FILE.lock
-/// that goes with it: a process that is killed leaves that file, and nobody has to wait for it. File systems
-/// that know no locks give none.
+/// Holds the lock of `file` as long as it lives. The lock is a system lock (flock) on an empty file
+/// FILE.lock, which the destructor removes. A killed process leaves FILE.lock behind, but not locked. On file
+/// systems without locks nothing is locked.
 class OutputLock {
   public:
-    /// Throws InputError, naming `option`, where another process has it.
+    /// Throws InputError, naming `option`, if another process holds the lock.
     OutputLock(const std::string& option, const std::filesystem::path& file);
     ~OutputLock();
     OutputLock(const OutputLock&) = delete;

@@ -40,7 +40,7 @@ void Progress::show(std::uint64_t done) {
     if (terminal_) {
         constexpr std::size_t width = 24;
         const auto filled = static_cast<std::size_t>(fraction * width);
-        // Where it cannot be written nobody reads it: the work goes on.
+        // A failed write is ignored: the work is worth more than its progress bar.
         std::fputs(fmt::format("\r\033[K[{}{}] {}", std::string(filled, '#'),
                                std::string(width - filled, '.'), one_line(line))
                        .c_str(),

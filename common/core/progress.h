@@ -1,5 +1,5 @@
-// How far long work has come: a bar with rate and time left on a terminal, a plain line now and then
-// elsewhere.
+// Progress of long work: a bar with rate and remaining time on a terminal, elsewhere a plain line now and
+// then.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// For work that learns on the way how much there is.
+    /// Changes the total, for work whose amount becomes known only on the way.
     void set_total(std::uint64_t total);
 
     void show(std::uint64_t done);

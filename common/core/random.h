@@ -11,9 +11,9 @@ namespace common {
 /// What a block of random numbers is for; no two purposes share numbers.
 enum class RandomPurpose : std::uint32_t { emission_origin, emission_direction, scattering, looking };
 
-/// Four numbers in [0, 1), a pure function of the arguments: Philox4x32-10 (Salmon et al., "Parallel Random
-/// Numbers: As Easy as 1, 2, 3", 2011), keyed by the seed and counted by photon, event along its path and
-/// purpose.
+/// Returns four numbers in [0, 1) as a pure function of the arguments: Philox4x32-10 (Salmon et al.,
+/// "Parallel Random Numbers: As Easy as 1, 2, 3", 2011). The key is the seed; the counter is the photon, the
+/// event along its path and the purpose.
 inline std::array<float, 4> random_uniforms(std::uint64_t seed, std::uint64_t photon, std::uint32_t event,
                                             RandomPurpose purpose) {
     const r123::Philox4x32::ctr_type counter = {{static_cast<std::uint32_t>(photon),

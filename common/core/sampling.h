@@ -24,12 +24,12 @@ struct Frame {
     }
 };
 
-/// (cos, sin) of 2 pi `turn`, for `turn` in [0, 1], within 1e-7. Without a branch or a call, so that a loop
-/// of them becomes vector code.
+/// Returns (cos, sin) of 2 pi `turn` for `turn` in [0, 1], with an error below 1e-7. It has no branch and no
+/// call, so that compilers vectorise a loop over it.
 inline Vec2 circle_at(float turn) {
-    const int quarter = static_cast<int>(4.0f * turn + 0.5f);  // the nearest one
+    const int quarter = static_cast<int>(4.0f * turn + 0.5f);  // the nearest quarter turn
     const float x = 2.0f * std::numbers::pi_v<float> * (turn - 0.25f * static_cast<float>(quarter));
-    // Taylor's series: the next terms are 2e-9 and 3e-8 at most, where x is pi / 4.
+    // Taylor series. At the largest x, pi / 4, the first omitted terms are 2e-9 and 3e-8.
     const float sq = x * x;
     const float sine =
         x * (1 - sq * (1.0f / 6) * (1 - sq * (1.0f / 20) * (1 - sq * (1.0f / 42) * (1 - sq * (1.0f / 72)))));
@@ -40,34 +40,34 @@ inline Vec2 circle_at(float turn) {
     return {left ? -across : across, below ? -up : up};
 }
 
-/// Unit vector at polar cosine `z` and azimuth 2 pi `turn` around +z.
+/// Returns the unit vector at polar cosine `z` and azimuth 2 pi `turn` around +z.
 inline Vec3 direction_at(float z, float turn) {
     const float r = std::sqrt(std::max(0.0f, 1.0f - z * z));
     const Vec2 azimuth = circle_at(turn);
     return {r * azimuth.x, r * azimuth.y, z};
 }
 
-/// Density cos(theta) / pi over the hemisphere around +z. The cosine is never 0.
+/// Returns a direction of density cos(theta) / pi over the hemisphere around +z. Its cosine is never 0.
 inline Vec3 sample_cosine_hemisphere(float u1, float u2) {
     return direction_at(std::sqrt(1.0f - u1), u2);
 }
 
-/// Density 1 / (4 pi).
+/// Returns a direction of density 1 / (4 pi) over the sphere.
 inline Vec3 sample_sphere(float u1, float u2) {
     return direction_at(1.0f - 2.0f * u1, u2);
 }
 
-/// Uniform in solid angle over the cone of directions within `cos_angle` of +z.
+/// Returns a direction, uniform in solid angle over the cone of directions within `cos_angle` of +z.
 inline Vec3 sample_cone(float cos_angle, float u1, float u2) {
     return direction_at(1.0f - u1 * (1.0f - cos_angle), u2);
 }
 
-/// Uniform over the unit disc in the xy plane.
+/// Returns a point, uniform over the unit disc in the xy plane.
 inline Vec2 sample_disc(float u1, float u2) {
     return circle_at(u2) * std::sqrt(u1);
 }
 
-/// Barycentric (u, v), uniform over a triangle.
+/// Returns barycentric coordinates (u, v), uniform over a triangle.
 inline Vec2 sample_triangle(float u1, float u2) {
     const float root = std::sqrt(u1);
     return {1.0f - root, u2 * root};

@@ -13,14 +13,14 @@
 
 namespace common {
 
-/// Elements keep their addresses while the array grows and when it is moved, growing copies nothing, and
-/// memory is taken from the system only as elements are written: address space for `max_size` of them is
-/// reserved up front (mmap(2)).
+/// An array whose elements keep their addresses while it grows and when it is moved; growing copies nothing.
+/// It reserves address space for `max_size` elements up front (mmap(2)), and takes memory from the system
+/// only as elements are written.
 template <class T>
 requires std::is_trivially_destructible_v<T>
 class StableArray {
   public:
-    /// Pages of 2 MiB are fewer and faster; those of 4 KiB keep an array small that is filled in many places
+    /// Pages of 2 MiB are fewer and faster. Pages of 4 KiB save memory if the array is filled at many places
     /// at once.
     enum class Pages { large, small };
 
@@ -30,7 +30,7 @@ class StableArray {
                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
         if (memory == MAP_FAILED) throw std::bad_alloc();
         data_ = static_cast<T*>(memory);
-        // Large pages are refused on some systems, and then no loss.
+        // Some systems refuse large pages, which costs only speed.
         madvise(memory, reserved_bytes(), pages == Pages::large ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
     }
 
@@ -44,16 +44,16 @@ class StableArray {
         if (data_) munmap(data_, reserved_bytes());
     }
 
-    /// Makes room for `count` more elements and returns it, zero until written. Throws std::bad_alloc past
-    /// max_size.
+    /// Appends `count` elements and returns them; they are zero until written. Throws std::bad_alloc if the
+    /// size would exceed max_size.
     std::span<T> grow(std::size_t count) {
         if (count > max_size_ - size_) throw std::bad_alloc();
         size_ += count;
         return {data_ + size_ - count, count};
     }
 
-    /// Gives the memory of elements [first, last) back to the system, by whole blocks of `granularity` bytes;
-    /// none of them may be read any more.
+    /// Returns the memory of elements [first, last) to the system, in whole blocks of `granularity` bytes.
+    /// None of these elements may be read afterwards.
     void release(std::size_t first, std::size_t last, std::size_t granularity) {
         const auto base = reinterpret_cast<std::uintptr_t>(data_);
         const std::uintptr_t begin = (base + first * sizeof(T) + granularity - 1) / granularity * granularity;
@@ -66,7 +66,7 @@ class StableArray {
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::span<const T> span() const { return {data_, size_}; }
 
-    /// What its elements take, to the page.
+    /// Memory of the elements, rounded up to whole pages.
     [[nodiscard]] std::size_t bytes() const {
         constexpr std::size_t page = 4096;
         return (size_ * sizeof(T) + page - 1) / page * page;

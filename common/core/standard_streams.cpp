@@ -13,7 +13,7 @@ namespace common {
 void secure_standard_streams() {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    // In ascending order: open() gives the lowest number that is free. What is written to it still fails.
+    // In ascending order, as open() returns the lowest free number. Read-only, so that writes still fail.
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (fcntl(stream, F_GETFD) < 0 && errno == EBADF) (void)open("/dev/null", O_RDONLY);
 }

@@ -1,5 +1,5 @@
-// What a command says on its way and at its end. Terminals are closed, pipes lose their readers and disks
-// that hold logs fill up: nothing of that may end work that is worth keeping.
+// Output of a command to stderr and stdout. A closed terminal, a pipe without a reader or a full disk of logs
+// must not end work that is worth keeping.
 #pragma once
 
 #include <string>
@@ -7,22 +7,21 @@
 
 namespace common {
 
-/// To be called before anything is opened. A pipe without a reader and a file that may not grow are from now
-/// on errors of the write; a standard stream that the caller has closed stays lost, but no file that is
-/// opened later gets its number, and with it what is said.
+/// Must be called before any file is opened. Afterwards a write to a pipe without a reader, or beyond the
+/// file size limit, fails instead of ending the process. A standard stream that the caller has closed stays
+/// closed. But no file opened later gets its number, and with it its output.
 void secure_standard_streams();
 
-/// The text with a space for each control character: file names may have any.
+/// Returns the text with each control character replaced by a space; file names may contain any.
 [[nodiscard]] std::string one_line(std::string_view text);
 
-/// Writes a line to stderr, where it can be written.
+/// Writes a line to stderr. Ignores failures.
 void say(std::string_view line);
 
-/// Writes a part of the result to stdout. Never throws: whether all of it got there is asked once, at the
-/// end.
+/// Writes a part of the result to stdout. Never throws; ask results_are_written() once, at the end.
 void print_result(std::string_view text);
 
-/// Whether stdout has all that was printed, by anyone. Flushes it.
+/// Returns whether all output to stdout, by anyone, has been written. Flushes it.
 [[nodiscard]] bool results_are_written();
 
 }  // namespace common

@@ -8,12 +8,12 @@ namespace common {
 
 class Stopwatch {
   public:
-    /// Since it was made, or since the last lap.
+    /// Returns the seconds since construction or since the last lap.
     [[nodiscard]] double seconds() const {
         return std::chrono::duration<double>(Clock::now() - start_).count();
     }
 
-    /// The same, and the next lap begins.
+    /// Returns the same and starts the next lap.
     double lap() {
         const auto now = Clock::now();
         return std::chrono::duration<double>(now - std::exchange(start_, now)).count();

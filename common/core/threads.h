@@ -1,4 +1,4 @@
-// How many threads the work inside may use.
+// The number of threads that parallel work uses.
 #pragma once
 
 #include <oneapi/tbb/global_control.h>
@@ -8,8 +8,8 @@
 
 namespace common {
 
-/// While it lives, `run` executes work in which oneTBB's parallel algorithms use exactly `threads` threads,
-/// also more than the machine has cores. One at a time.
+/// Executes work in which oneTBB's parallel algorithms use exactly `threads` threads, even more than the
+/// machine has cores. Only one ThreadPool may live at a time.
 class ThreadPool {
   public:
     explicit ThreadPool(int threads)

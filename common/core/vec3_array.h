@@ -1,4 +1,4 @@
-// Vectors as three arrays of their components: what loops need that work on many at once.
+// Vectors in structure-of-arrays layout, for loops that compilers vectorise.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace common {
 
-/// A Vec3Array as plain pointers, to be held by value: a loop that reaches its arrays through an object must
-/// fetch their addresses again after each store, and does not become vector code.
+/// A Vec3Array as plain pointers, to be held by value. A loop that reaches its arrays through an object must
+/// reload their addresses after each store, and is not vectorised.
 template <class Float>
 struct Vec3View {
     Float *x, *y, *z;
@@ -25,7 +25,7 @@ struct Vec3View {
 struct Vec3Array {
     std::vector<float> x, y, z;
 
-    /// What is new has no defined value.
+    /// The values of new elements are undefined.
     void resize(std::size_t count) {
         x.resize(count);
         y.resize(count);

@@ -12,8 +12,7 @@ namespace common {
 using Vec2 = Imath::V2f;
 using Vec3 = Imath::V3f;
 
-/// Linear RGB with Rec. 709 primaries. The unit is said where one is used: W, W/m^2 or W/(m^2 sr) per
-/// channel.
+/// Linear RGB with Rec. 709 primaries. Each use states its unit: W, W/m^2 or W/(m^2 sr) per channel.
 using Rgb = Imath::C3f;
 
 inline float max_component(const Rgb& c) {
@@ -30,8 +29,8 @@ inline bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The value at barycentric coordinates (u, v), as Embree defines them. Rounded as the tracer's edges are
-/// (PhotonSurface): a color that differs in its last bit can end a photon's path elsewhere.
+/// Returns the value at barycentric coordinates (u, v), as Embree defines them. It must round as the tracer's
+/// edges do (PhotonSurface): a colour that differs in its last bit can end a photon's path elsewhere.
 template <class T>
 T interpolate(const T& a, const T& b, const T& c, float u, float v) {
     return a + (b - a) * u + (c - a) * v;

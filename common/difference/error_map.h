@@ -1,4 +1,4 @@
-// An error per pixel as a picture.
+// Maps of the error per pixel, written as images.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace common {
 
-/// From black for 0 by way of purple and orange to pale yellow for 1: the colour map magma, which grows
-/// brighter all the way and so reads the same in grey.
+/// Returns the colour for a value in the colour map magma: black for 0, then purple and orange, pale yellow
+/// for 1. Its lightness increases throughout, so that it reads the same in grey.
 [[nodiscard]] DisplayColor magma(float value);
 
 /// Writes one value from 0 to 1 per pixel, row by row from the top left, as an sRGB PNG in magma. Throws

@@ -28,7 +28,7 @@ double mean_of(std::span<const Rgb> image, std::span<const Rgb> reference, Funct
     return sum / (3.0 * static_cast<double>(image.size()));
 }
 
-/// Three a pixel.
+/// Returns three errors per pixel.
 std::vector<double> relative_errors(std::span<const Rgb> image, std::span<const Rgb> reference,
                                     double epsilon) {
     std::vector<double> errors;
@@ -41,7 +41,7 @@ std::vector<double> relative_errors(std::span<const Rgb> image, std::span<const 
     return errors;
 }
 
-/// The smallest value that a share of all values does not exceed.
+/// Returns the smallest value that at least the fraction `share` of all values does not exceed.
 double quantile(std::vector<double> values, double share) {
     const auto rank = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size())));
     const auto at = values.begin() + rank - 1;
@@ -49,8 +49,8 @@ double quantile(std::vector<double> values, double share) {
     return *at;
 }
 
-/// What the largest thousandth of pixels, one at least, has of the sum of squares; `errors` are three a
-/// pixel.
+/// Returns the share of the sum of squared errors in the thousandth of pixels, at least one, with the
+/// largest. `errors` has three values per pixel.
 double share_of_worst(std::span<const double> errors) {
     std::vector<double> square(errors.size() / 3);
     for (std::size_t p = 0; p < square.size(); ++p)

@@ -22,19 +22,20 @@ FlipFilters flip_filters() {
     return {contrast_filters(flip_pixels_per_degree), feature_filters(flip_pixels_per_degree)};
 }
 
-/// The largest difference of colours that a display can show: green to blue.
+/// Returns the largest difference of colours that a display can show: green to blue.
 float largest_color_difference() {
     return std::pow(hyab_distance(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), color_exponent);
 }
 
-/// 0 to 1. The smaller four tenths of all differences take 0.95 of the range: those beyond all look large.
+/// Maps a colour difference to 0 to 1. The smaller 0.4 of the differences take 0.95 of the range, as all
+/// beyond look large.
 float color_difference(const HuntLab& p, const HuntLab& q, float largest) {
     constexpr float knee = 0.4f, at_knee = 0.95f;
     const float share = std::pow(hyab_distance(p, q), color_exponent) / largest;
     return share < knee ? share * (at_knee / knee) : at_knee + (share - knee) / (1 - knee) * (1 - at_knee);
 }
 
-/// 0 to 1: an edge or a point that only one of the two has.
+/// Returns, from 0 to 1, how much an edge or a point stands out in only one of the two.
 float feature_difference(const Features& p, const Features& q) {
     const float larger = std::max(std::abs(p.edge - q.edge), std::abs(p.point - q.point));
     return std::pow(larger / std::numbers::sqrt2_v<float>, feature_exponent);

@@ -3,8 +3,8 @@
 namespace common {
 namespace {
 
-/// CIE XYZ over that of white. The nine numbers are Rec. 709's primaries with white at D65, taken as
-/// (x, y) = (0.31271, 0.32902): each row sums to 1.
+/// Returns CIE XYZ relative to that of white. The matrix is that of Rec. 709's primaries with white D65,
+/// taken as (x, y) = (0.31271, 0.32902): each row sums to 1.
 Vec3 relative_xyz(const Rgb& rgb) {
     return {0.4338953888f * rgb.x + 0.3762423726f * rgb.y + 0.1898622385f * rgb.z,
             0.2126368217f * rgb.x + 0.7151829818f * rgb.y + 0.0721801965f * rgb.z,

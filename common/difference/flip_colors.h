@@ -6,7 +6,7 @@
 
 namespace common {
 
-/// YyCxCz: opponent colours that are linear in light, so that they may be filtered.
+/// YyCxCz: opponent colours that are linear in light, so that they can be filtered.
 struct OpponentColor {
     float y = 0;   ///< black to white: -16 to 100
     float cx = 0;  ///< green to red
@@ -19,16 +19,16 @@ struct HuntLab {
     float a = 0, b = 0;
 };
 
-/// Linear RGB with Rec. 709 primaries, 1 is the display's white.
+/// Converts linear RGB with Rec. 709 primaries, in which 1 is the display's white.
 [[nodiscard]] OpponentColor opponent_color(const Rgb& linear);
 
-/// What a display can show of it, from 0 to 1.
+/// Returns the colour as linear RGB, clamped to what a display can show, 0 to 1.
 [[nodiscard]] Rgb displayed_color(const OpponentColor& color);
 
 [[nodiscard]] HuntLab hunt_lab(const Rgb& linear);
 
-/// HyAB, for large differences (Abasi, Amani Tehran and Fairchild, "Distance Metrics for Very Large Color
-/// Differences", 2020): the distance of the lightnesses plus that of the colours in the plane of a and b.
+/// Returns HyAB, made for large differences (Abasi, Amani Tehran and Fairchild, "Distance Metrics for Very
+/// Large Color Differences", 2020): the difference in lightness plus the distance in the plane of a and b.
 [[nodiscard]] float hyab_distance(const HuntLab& p, const HuntLab& q);
 
 }  // namespace common

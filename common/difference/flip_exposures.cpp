@@ -9,19 +9,19 @@
 namespace common {
 namespace {
 
-/// f(x) = (a x^2 + b x) / (c x^2 + d x + e).
+/// The tone curve f(x) = (a x^2 + b x) / (c x^2 + d x + e).
 constexpr float light = 0.6f;
 constexpr float a = 2.51f * light * light, b = 0.03f * light;
 constexpr float c = 2.43f * light * light, d = 0.59f * light, e = 0.14f;
 
-/// The x that is shown as `value`: the root above 0 of (a - c value) x^2 + (b - d value) x - e value.
+/// Returns the x with f(x) = `value`: the root above 0 of (a - c value) x^2 + (b - d value) x - e value.
 double shown_as(double value) {
     const double half_linear = 0.5 * (b - d * value), squared = a - c * value;
     return (std::sqrt(half_linear * half_linear + squared * e * value) - half_linear) / squared;
 }
 
 float tone_mapped(float x) {
-    constexpr float surely_white = 1e6f;  // whose square is no infinity
+    constexpr float surely_white = 1e6f;  // and its square is still finite
     x = std::clamp(x, 0.0f, surely_white);
     const float numerator = (a * x + b) * x;
     return std::min(1.0f, numerator / ((c * x + d) * x + e));
@@ -44,7 +44,7 @@ Exposures exposures_for(std::span<const Rgb> reference) {
     std::nth_element(luminances.begin(), middle, luminances.end());
     const double median = std::max(*middle, least_median);
     const double most = *std::max_element(middle, luminances.end());
-    if (!(most >= std::numeric_limits<float>::min()))  // an exposure that shows less is infinite
+    if (!(most >= std::numeric_limits<float>::min()))  // for a darker one the exposure would be infinite
         throw InputError("the reference is black: no exposure shows it");
     const double start = std::log2(shown_as(bright) / most);
     const double stop = std::max(start, std::log2(shown_as(bright) / median));

@@ -15,13 +15,13 @@ struct Gaussian {
     double amplitude, b;
 };
 
-// Andersson et al. 2020, section 4.1: what fits the measured contrast sensitivity of the eye.
+// Andersson et al. 2020, section 4.1: fits to the measured contrast sensitivity of the eye.
 constexpr Gaussian black_white = {1, 0.0047};
 constexpr Gaussian red_green = {1, 0.0053};
 constexpr Gaussian blue_yellow_wide = {34.1, 0.04};
 constexpr Gaussian blue_yellow_narrow = {13.5, 0.025};
 
-/// Three standard deviations of the widest of them, whichever it is used for.
+/// Returns three standard deviations of the widest Gaussian, in pixels; all filters have this radius.
 int contrast_radius(double pixels_per_degree) {
     return static_cast<int>(std::ceil(3 * std::sqrt(blue_yellow_wide.b / (2 * pi * pi)) * pixels_per_degree));
 }
@@ -63,7 +63,7 @@ std::vector<double> sampled(const Gaussian& gaussian, double pixels_per_degree) 
     });
 }
 
-/// Sum of a Gaussian over the square of pixels: its share in a sum of several.
+/// Returns the sum of a Gaussian over the square of pixels, its weight in a sum of several.
 double mass(const Gaussian& gaussian, const std::vector<double>& samples) {
     return gaussian.amplitude * std::sqrt(pi / gaussian.b) * sum_of(samples) * sum_of(samples);
 }
@@ -82,7 +82,8 @@ ContrastFilters contrast_filters(float pixels_per_degree) {
 }
 
 FeatureFilters feature_filters(float pixels_per_degree) {
-    constexpr double width = 0.082;  // of the features the eye is best at, degrees, from peak to trough
+    constexpr double width = 0.082;  // degrees, from peak to trough, of the features that the eye detects
+                                     // best
     const double deviation = 0.5 * width * pixels_per_degree;
     const int radius = static_cast<int>(std::ceil(3 * deviation));
     const auto gaussian = [&](double x) { return std::exp(-x * x / (2 * deviation * deviation)); };

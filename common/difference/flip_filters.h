@@ -1,5 +1,4 @@
-// The filters of FLIP (Andersson et al. 2020, sections 4.1 and 4.2): what an eye blurs, and what it looks
-// for.
+// The filters of FLIP (Andersson et al. 2020, sections 4.1 and 4.2): contrast sensitivity and features.
 #pragma once
 
 #include "common/difference/plane.h"
@@ -15,7 +14,7 @@ struct WeightedKernel {
 /// The eye's contrast sensitivity as a filter for each opponent colour: a sum of Gaussians, normalised to 1.
 struct ContrastFilters {
     WeightedKernel y, cx;
-    WeightedKernel cz_narrow, cz_wide;  ///< these two together
+    WeightedKernel cz_narrow, cz_wide;  ///< the filter is the sum of the two
 };
 
 [[nodiscard]] ContrastFilters contrast_filters(float pixels_per_degree);

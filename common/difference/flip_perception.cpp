@@ -36,7 +36,7 @@ std::vector<HuntLab> blurred_colors(const OpponentPlanes& planes, const Contrast
     return colors;
 }
 
-/// Edges and points are looked for in what is not blurred, black 0 and white 1.
+/// Detects edges and points in the image before blurring, with black at 0 and white at 1.
 std::vector<Features> features_in(const Plane& y, const FeatureFilters& filters) {
     constexpr float white_minus_black = 116;
     const Plane edge_x = filtered(y, filters.edge, filters.gaussian);

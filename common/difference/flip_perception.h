@@ -1,4 +1,4 @@
-// What a viewer makes of one displayed image, in FLIP's model (Andersson et al. 2020, section 4).
+// What a viewer perceives of one displayed image, in FLIP's model (Andersson et al. 2020, section 4).
 #pragma once
 
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace common {
 
-/// How much of an edge and of a point is at a pixel, 0 to about 1.
+/// Strength of an edge and of a point at a pixel, 0 to about 1.
 struct Features {
     float edge = 0, point = 0;
 };
 
 /// One value per pixel, row by row.
 struct PerceivedImage {
-    std::vector<HuntLab> color;  ///< as a blurring eye sees it
+    std::vector<HuntLab> color;  ///< blurred by the contrast filters
     std::vector<Features> features;
 };
 

@@ -24,7 +24,7 @@ struct Layer {
     Channels channels;
 };
 
-/// What of the window lies in the picture; of no size where nothing does.
+/// Returns the part of the window inside the picture; its width or height is not positive if there is none.
 PictureWindow within_picture(const PictureWindow& window) {
     PictureWindow part = window;
     part.x = std::max(window.x, 0);
@@ -34,7 +34,7 @@ PictureWindow within_picture(const PictureWindow& window) {
     return part;
 }
 
-/// The pixels of `part`, which lies in `whole`, the window of `image`.
+/// Returns the pixels of `part`, which lies inside `whole`, the window of `image`.
 Image cropped(Image image, const PictureWindow& whole, const PictureWindow& part) {
     if (part == whole) return image;
     Image kept{part.width, part.height, image.channels, {}};
@@ -63,7 +63,7 @@ bool has(const Image& image, const Layer& layer) {
                        [&](const std::string& channel) { return image.find_channel(channel).has_value(); });
 }
 
-/// "8 x 6", or "8 x 6 at (2, 0) of 16 x 6" where that is not all of the picture.
+/// Returns "8 x 6", or "8 x 6 at (2, 0) of 16 x 6" for a window that is not the whole picture.
 std::string describe(const PictureWindow& window) {
     const std::string size = fmt::format("{} x {}", window.width, window.height);
     if (window.width == window.picture_width && window.height == window.picture_height) return size;
@@ -97,7 +97,7 @@ std::vector<Rgb> pixels_of(const Image& image, const Layer& layer) {
     return pixels;
 }
 
-/// Channel A; empty where there is none.
+/// Returns channel A; empty if there is none.
 std::vector<float> coverage_of(const Image& image) {
     const auto place = image.find_channel("A");
     std::vector<float> coverage;
@@ -105,7 +105,7 @@ std::vector<float> coverage_of(const Image& image) {
     return coverage;
 }
 
-/// How many pixels are not finite and where the first is; empty where all are.
+/// Reports how many pixels are not finite and where the first is; empty if all are finite.
 std::string not_finite(const NamedImage& named, const std::vector<Rgb>& pixels,
                        const std::vector<float>& coverage) {
     std::size_t count = 0, first = 0;

@@ -1,11 +1,11 @@
-// One channel of an image by itself, and separable filters over it.
+// A single image channel, and separable filters on it.
 #pragma once
 
 #include <vector>
 
 namespace common {
 
-/// Row by row from the top left pixel.
+/// One channel, row by row from the top left pixel.
 struct Plane {
     int width = 0, height = 0;
     std::vector<float> values;  ///< width * height
@@ -26,8 +26,8 @@ struct Kernel {
     [[nodiscard]] int radius() const { return static_cast<int>(weights.size() / 2); }
 };
 
-/// result(x, y) = sum of horizontal(i) vertical(j) plane(x + i, y + j); beyond the border the nearest pixel
-/// stands.
+/// Returns the sum of horizontal(i) vertical(j) plane(x + i, y + j) at each pixel (x, y). Beyond the border
+/// the value of the nearest pixel is used.
 [[nodiscard]] Plane filtered(const Plane& plane, const Kernel& horizontal, const Kernel& vertical);
 
 }  // namespace common

@@ -12,10 +12,10 @@
 namespace common::gltf {
 namespace {
 
-/// Without a buffer view nothing bounds the count that a file can ask for.
+/// Limit for accessors without a buffer view, as no data bound the count that a file can ask for.
 constexpr std::size_t most_elements_without_data = std::size_t{1} << 24;
 
-/// How elements lie in the bytes of a buffer view.
+/// The layout of elements in the bytes of a buffer view.
 struct Layout {
     std::uint64_t offset;
     std::uint64_t stride;
@@ -117,7 +117,7 @@ Elements dense_elements(const tinygltf::Model& model, const tinygltf::Accessor& 
     return checked_elements(model, accessor.bufferView, layout, where);
 }
 
-/// The elements that the sparse part replaces, with their places in it.
+/// Returns the elements that the sparse part replaces, each with its index in that part.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> sparse_places(const tinygltf::Model& model,
                                                                    const tinygltf::Accessor& accessor,
                                                                    const std::string& where) {
@@ -170,7 +170,7 @@ std::span<const unsigned char> view_bytes(const tinygltf::Model& model, int buff
 
 const unsigned char* ElementSource::operator[](std::size_t i) const {
     if (!replaced.empty()) {
-        // Of several places for the same element the last one counts.
+        // If an element is replaced several times, the last one counts.
         const auto behind =
             std::upper_bound(replaced.begin(), replaced.end(), i,
                              [](std::size_t element, const auto& place) { return element < place.first; });

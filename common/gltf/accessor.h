@@ -12,7 +12,7 @@
 
 namespace common::gltf {
 
-/// The bytes of a buffer view. Throws InputError where it is not inside its buffer.
+/// Returns the bytes of a buffer view. Throws InputError if it is not inside its buffer.
 [[nodiscard]] std::span<const unsigned char> view_bytes(const tinygltf::Model& model, int buffer_view);
 
 /// Elements whose range has been checked.
@@ -23,36 +23,36 @@ struct Elements {
     [[nodiscard]] const unsigned char* operator[](std::size_t i) const { return first + i * stride; }
 };
 
-/// Where an accessor's elements come from, with every range checked. Nothing in it is as large as the
-/// accessor, but where the sparse part is.
+/// The bytes of an accessor's elements, with every range checked. Its size does not grow with the accessor,
+/// except with the sparse part.
 struct ElementSource {
     std::size_t count = 0;
     std::optional<Elements> dense;
     std::optional<Elements> sparse;
-    /// The elements that the sparse part gives, each with its place there, in order of both.
+    /// Each element that the sparse part replaces, with its index in that part, sorted.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> replaced;
 
-    /// The bytes of element `i`, or null where it is zero: neither part has it.
+    /// Returns the bytes of element `i`, or null if neither part has it: the element is then zero.
     [[nodiscard]] const unsigned char* operator[](std::size_t i) const;
 };
 
-/// Reads the accessors of a model, one element at a time where not all are needed. Many primitives can share
-/// one accessor, so that what has been found out about it is kept.
+/// Reads the accessors of a model, only single elements if not all are needed. Caches what it finds out about
+/// an accessor, as many primitives can share one.
 class AccessorReader {
   public:
     explicit AccessorReader(const tinygltf::Model& model) : model_(model) {}
 
-    /// How many elements an accessor of `components` numbers per element (2 to 4, or 16 for MAT4) has. Throws
-    /// InputError for another shape, for 32-bit integers and for data outside the buffer view.
+    /// Returns the number of elements of an accessor with `components` numbers per element (2 to 4, or 16 for
+    /// MAT4). Throws InputError for another shape, for 32-bit integers and for data outside the buffer view.
     [[nodiscard]] std::size_t count(int accessor, int components);
 
-    /// The numbers of `elements`, which are below count(), one element after the other; normalized integers
-    /// become [0, 1] or [-1, 1], other integers their value. Sparse elements are put in, and an accessor
-    /// without a buffer view starts from zeros. Throws InputError as count().
+    /// Returns the numbers of `elements`, which are below count(), one element after the other. Normalized
+    /// integers become [0, 1] or [-1, 1]; other integers keep their value. Sparse elements are applied, and
+    /// an accessor without a buffer view starts from zeros. Throws InputError as count() does.
     [[nodiscard]] std::vector<float> read_vectors(int accessor, int components,
                                                   std::span<const std::uint32_t> elements);
 
-    /// All elements of an accessor of unsigned integers. Throws InputError as above.
+    /// Returns all elements of an accessor of unsigned integers. Throws InputError as above.
     [[nodiscard]] std::vector<std::uint32_t> read_indices(int accessor);
 
   private:

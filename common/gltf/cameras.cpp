@@ -16,7 +16,7 @@ std::string camera_name(const tinygltf::Model& model, const tinygltf::Node& node
     return node.name.empty() ? fmt::format("cameras/{}", node.camera) : node.name;
 }
 
-/// Nothing where the node's transform leaves no direction.
+/// Returns nothing if the node's transform leaves no direction.
 std::optional<Camera> perspective_camera(const tinygltf::PerspectiveCamera& lens, const PlacedNode& node,
                                          const std::string& name) {
     if (!(lens.yfov > 0 && lens.yfov < std::numbers::pi))

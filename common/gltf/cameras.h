@@ -11,10 +11,10 @@
 
 namespace common::gltf {
 
-/// Appends the perspective camera of every node that has one, be it visible or not (KHR_node_visibility);
-/// orthographic ones, and those under a node that has no direction, are left out with a warning. A camera
-/// takes position and direction from its node, but no scale. Throws InputError for a field of view outside
-/// (0, pi).
+/// Appends the perspective camera of every node that has one, visible or not (KHR_node_visibility). Leaves
+/// out, with a warning, orthographic cameras and cameras under a node whose transform leaves no direction. A
+/// camera takes position and direction from its node, but no scale. Throws InputError for a field of view
+/// outside (0, pi).
 void append_cameras(const tinygltf::Model& model, std::span<const PlacedNode> nodes, Scene& scene,
                     Warnings& warnings);
 

@@ -1,5 +1,5 @@
-// tinygltf ignores an optional property of the wrong type, cuts integers down to 32 bits and does not compare
-// most indices and ranges with what they point into. So all of that is checked here, from one table.
+// tinygltf ignores an optional property of the wrong type, truncates integers to 32 bits and does not check
+// most indices and ranges. So all of that is checked here, from one table.
 #include "common/gltf/check_json.h"
 
 #include <fmt/format.h>
@@ -25,13 +25,13 @@ enum class Type {
     object,
     flag,
     text,
-    number,       ///< that a float can hold
+    number,       ///< within the range of float
     numbers,      ///< Rule::length of them
     number_list,  ///< any number of them
     natural,      ///< integer >= 0
     natural_31_bit,
     index,    ///< into the list Rule::target
-    indices,  ///< list, or object of named values, of them
+    indices,  ///< list of indices, or object whose values are indices
 };
 
 struct Rule {

@@ -6,8 +6,8 @@
 namespace common::gltf {
 
 /// Throws InputError unless `document` is glTF 2.x, every property that the loader reads has the type that
-/// glTF gives it, every index points at something and every buffer view lies inside its buffer. Whether
-/// required properties are there is left to tinygltf, which reports that itself.
+/// glTF gives it, every index is in range and every buffer view lies inside its buffer. Missing required
+/// properties are left to tinygltf, which reports them.
 void check_json(const nlohmann::json& document);
 
 }  // namespace common::gltf

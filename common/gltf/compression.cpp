@@ -14,8 +14,8 @@ using Json = nlohmann::json;
 
 constexpr const char* draco = "KHR_draco_mesh_compression";
 
-/// The name of an object's extension for compressed buffers: EXT_meshopt_compression, which others have under
-/// their own prefix.
+/// Returns the name of an object's extension for compressed buffers: EXT_meshopt_compression, or the same
+/// with another vendor's prefix.
 std::string buffer_compression(const Json& object) {
     if (!object.contains("extensions") || !object.at("extensions").is_object()) return {};
     for (const auto& [name, extension] : object.at("extensions").items()) {

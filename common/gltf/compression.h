@@ -1,4 +1,4 @@
-// Compressed parts of a glTF file: they are not read, but named where there is nothing else to read.
+// Compressed parts of a glTF file. They are not read; errors name them where there is no uncompressed form.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -11,14 +11,14 @@
 
 namespace common::gltf {
 
-/// The extension that has the data of a buffer without bytes of its own; empty where none has.
+/// Returns the extension that holds the data of a buffer without bytes of its own; empty if there is none.
 [[nodiscard]] std::string compression_of_buffer(const nlohmann::json& document, std::size_t buffer);
 
-/// Throws InputError, naming the extension, for a primitive that is there in compressed form only.
+/// Throws InputError, naming the extension, for a primitive that exists in compressed form only.
 void check_compression(const tinygltf::Model& model, const tinygltf::Primitive& primitive);
 
-/// What the first bytes of an encoded image say that it is, where that is a format of glTF's extensions and
-/// others that are met in glTF files; empty for all others.
+/// Returns the image format that the first bytes indicate, if it belongs to a glTF extension or is another
+/// one found in glTF files; empty for all others.
 [[nodiscard]] std::string_view foreign_image_format(std::span<const unsigned char> encoded);
 
 }  // namespace common::gltf

@@ -31,7 +31,7 @@ struct Chunk {
     Bytes data;
 };
 
-/// The chunk that starts at `offset`, which is moved behind it.
+/// Returns the chunk that starts at `offset`, and moves `offset` past it.
 Chunk next_chunk(Bytes glb, std::size_t& offset) {
     if (glb.size() - offset < chunk_header_size)
         throw InputError("is truncated: a GLB chunk header is cut off");

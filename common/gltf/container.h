@@ -11,7 +11,7 @@
 
 namespace common::gltf {
 
-/// The bytes of a file. Throws InputError where it cannot be read.
+/// Returns the bytes of a file. Throws InputError if it cannot be read.
 [[nodiscard]] std::vector<std::uint8_t> read_file(const std::filesystem::path& file);
 
 /// The parts of a glTF file.
@@ -20,15 +20,15 @@ struct Container {
     std::vector<std::uint8_t> binary;  ///< the BIN chunk; empty for .gltf
 };
 
-/// The bytes of a .gltf or .glb file, told apart by the first ones. Throws InputError for a GLB of another
-/// version or one whose chunks do not fit into the file.
+/// Splits a .gltf or .glb file, which are told apart by their first bytes. Throws InputError for a GLB of
+/// another version or one whose chunks do not fit into the file.
 [[nodiscard]] Container parse_container(std::span<const std::uint8_t> file);
 
-/// The same of a file; also throws where it cannot be read.
+/// Does the same for a file; also throws InputError if it cannot be read.
 [[nodiscard]] Container read_container(const std::filesystem::path& file);
 
-/// GLB of a JSON chunk and, if `binary` is not empty, a BIN chunk. Throws InputError where that needs 4 GiB
-/// or more.
+/// Makes a GLB of a JSON chunk and, if `binary` is not empty, a BIN chunk. Throws InputError if the result
+/// would have 4 GiB or more.
 [[nodiscard]] std::vector<std::uint8_t> make_glb(std::string_view json, std::span<const std::uint8_t> binary);
 
 }  // namespace common::gltf

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Deeper nesting than any real file has; what walks over the values recursively must not run out of stack.
+/// Limit of nesting, deeper than any real file. Recursive walks over the values must not overflow the stack.
 constexpr int deepest_nesting = 100;
 
 void check_nesting(const std::string& text) {
@@ -48,9 +48,9 @@ Json parse_json(const std::string& text) {
     }
 }
 
-/// JSON lets a writer spell an integer "3.0"; tinygltf does not take that for one.
+/// Turns floats such as 3.0 into integers. JSON allows an integer to be written so, but tinygltf rejects it.
 void turn_whole_floats_into_integers(Json& value) {
-    constexpr double largest = 9007199254740992;  // beyond 2^53 floats do not tell integers apart
+    constexpr double largest = 9007199254740992;  // beyond 2^53 doubles do not represent all integers
     if (value.is_structured()) {
         for (Json& element : value) turn_whole_floats_into_integers(element);
     } else if (value.is_number_float()) {
@@ -64,7 +64,7 @@ void turn_whole_floats_into_integers(Json& value) {
     }
 }
 
-/// tinygltf cuts integers in extensions down to 32 bits; it reads floats as they are.
+/// Works around tinygltf, which truncates integers in extensions to 32 bits but reads floats as they are.
 void turn_large_integers_of_extensions_into_floats(Json& value, bool is_in_extension = false) {
     if (value.is_object()) {
         for (const auto& [key, element] : value.items())
@@ -91,8 +91,9 @@ void warn_about_animations(const Json& document, Warnings& warnings) {
         warnings.add("animations not played", element_name(animations[i], "animations", i));
 }
 
-/// What is read here and not by tinygltf: it decodes URIs in its own way, wants files to be as long as their
-/// buffers, and refuses skins without inverse bind matrices and indices without a buffer view.
+/// The parts that are read here instead of by tinygltf. It decodes URIs differently, requires files to be
+/// exactly as long as their buffers, and rejects skins without inverse bind matrices and indices without a
+/// buffer view.
 struct ReadHere {
     std::vector<tinygltf::Buffer> buffers;
     std::vector<tinygltf::Image> images;
@@ -126,8 +127,8 @@ std::vector<int> take_out_indices(Json& document) {
     return indices;
 }
 
-/// Takes the parts out of the document, together with what is not read at all, so that nothing in that can
-/// stop the file from loading.
+/// Takes these parts out of the document, and removes everything that is not read, so that it cannot stop the
+/// file from loading.
 ReadHere take_out(Json& document, std::vector<std::uint8_t> binary, const std::filesystem::path& directory) {
     ReadHere parts{read_buffers(document, std::move(binary), directory), read_images(document, directory),
                    read_skins(document), take_out_indices(document)};
@@ -161,7 +162,7 @@ tinygltf::Model parse_with_tinygltf(const std::string& json) {
     } catch (const std::exception& exception) {
         error = exception.what();
     }
-    // Where a part is malformed, tinygltf can drop it, note an error and still report success.
+    // If a part is malformed, tinygltf can drop it, note an error and still report success.
     if (!is_read || !error.empty()) throw InputError(error.empty() ? "is not readable as glTF" : error);
     return model;
 }

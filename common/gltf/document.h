@@ -1,4 +1,4 @@
-// glTF file -> tinygltf model whose indices and ranges can be relied on.
+// Reads a glTF file into a tinygltf model with checked indices and ranges.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -9,10 +9,10 @@
 
 namespace common::gltf {
 
-/// Reads `file` with its buffers. All indices between the model's lists are in range (but
-/// Texture::source), and all buffer views
-/// inside their buffers. Animations are left out, with a warning. Images are not decoded; read_images() says
-/// what they hold. Throws InputError for everything that is wrong with the file.
+/// Reads `file` with its buffers. All indices into the model's lists are in range, except Texture::source,
+/// and all buffer views are inside their buffers. Leaves out animations, with a warning. Does not decode
+/// images; read_images() describes what they hold. Throws InputError for anything that is wrong with the
+/// file.
 [[nodiscard]] tinygltf::Model read_document(const std::filesystem::path& file, Warnings& warnings);
 
 }  // namespace common::gltf

@@ -21,7 +21,7 @@ CornerPlaces corners_of(const Scene& scene, std::uint32_t triangle) {
     return {scene.position[a], scene.position[b], scene.position[c]};
 }
 
-/// Whichever corner is the first of each.
+/// Returns whether the corners are the same up to a cyclic shift.
 bool are_the_same(const CornerPlaces& a, const CornerPlaces& b) {
     const auto shifted_by = [&](std::size_t shift) {
         return a[0] == b[shift] && a[1] == b[(shift + 1) % 3] && a[2] == b[(shift + 2) % 3];
@@ -39,7 +39,7 @@ std::uint64_t hash_of(const Vec3& position) {
     return hash;
 }
 
-/// Per triangle; the same ones have the same.
+/// Returns one hash per triangle; duplicates have equal hashes.
 std::vector<std::uint64_t> hashes_of(const Scene& scene) {
     std::vector<std::uint64_t> hashes(scene.triangle.size());
     tbb::parallel_for(std::size_t{0}, hashes.size(), [&](std::size_t t) {
@@ -49,7 +49,7 @@ std::vector<std::uint64_t> hashes_of(const Scene& scene) {
     return hashes;
 }
 
-/// For every triangle the first that is the same.
+/// Returns the first duplicate of every triangle, or the triangle itself.
 std::vector<std::uint32_t> first_of_the_same(const Scene& scene) {
     const std::vector<std::uint64_t> hashes = hashes_of(scene);
     const auto count = static_cast<std::uint32_t>(hashes.size());
@@ -72,17 +72,18 @@ bool is_glass(const Material& material) {
     return material.kind == SurfaceKind::dielectric || material.kind == SurfaceKind::thin_sheet;
 }
 
-/// Which of the same triangles is kept: the one with the largest. 0 where it has holes.
+/// Returns the priority of a triangle with this material among its duplicates: the highest is kept. 0 if it
+/// has holes.
 int claim_of(const Material& material) {
     if (material.alpha_mode != AlphaMode::opaque) return 0;
     if (is_glass(material)) return 1;
     return 2 + 2 * material.emits() + material.double_sided;
 }
 
-/// For every triangle the one that is kept in its place: itself, or one that is the same.
+/// Returns for every triangle the one that is kept in its place: itself or a duplicate.
 std::vector<std::uint32_t> kept_instead(const Scene& scene) {
     const std::vector<std::uint32_t> first = first_of_the_same(scene);
-    std::vector<std::uint32_t> kept = first;  // of the first of the same
+    std::vector<std::uint32_t> kept = first;  // per set of duplicates, indexed by its first
     for (std::uint32_t t = 0; t < first.size(); ++t)
         if (std::uint32_t& best = kept[first[t]];
             claim_of(scene.material_of(t)) > claim_of(scene.material_of(best)))
@@ -121,8 +122,7 @@ void warn(const Scene& scene, std::span<const std::uint32_t> instead, Warnings& 
             scene.instance[i].name);
 }
 
-/// Leaves out the triangles in whose place another is kept, and instances that have no more then. Vertices
-/// stay.
+/// Removes the triangles in whose place another is kept, and instances without any left. Keeps the vertices.
 void remove(Scene& scene, std::span<const std::uint32_t> instead) {
     std::vector<MeshInstance> instances;
     std::uint32_t next = 0;

@@ -1,4 +1,4 @@
-// Triangles that a file has more than once at the same place.
+// Triangles that a file contains more than once at the same place.
 #pragma once
 
 #include "common/gltf/warnings.h"
@@ -6,12 +6,12 @@
 
 namespace common::gltf {
 
-/// Leaves out triangles whose three positions another has too, in the same sense of rotation, to the last
-/// bit: of all that are the same one is kept. That is the first in the file of those that let no light
-/// through, but one that emits before others, and then one that is double-sided. Where all let light through,
-/// glass is kept once, and what has holes all. Instances without a triangle are left out.
+/// Leaves out duplicate triangles: those with the same three positions, bit by bit, and the same winding. One
+/// of each set of duplicates is kept: the first opaque one in the file, but an emitter is preferred to
+/// others, and then a double-sided one. If none is opaque, one of glass is kept, and all that have holes.
+/// Instances left without a triangle are left out too.
 ///
-/// A scene without such triangles stays as it is.
+/// A scene without duplicates is not changed.
 void leave_out_duplicates(Scene& scene, Warnings& warnings);
 
 }  // namespace common::gltf

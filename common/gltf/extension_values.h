@@ -1,5 +1,4 @@
-// Values of the objects that extensions put on materials and textures. Types were checked before
-// (check_json.h).
+// Values of the objects that extensions add to materials and textures. check_json.h has checked their types.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -8,18 +7,18 @@
 
 namespace common::gltf {
 
-/// The extension's object, or one without members where it is not used.
+/// Returns the extension's object, or one without members if it is not used.
 [[nodiscard]] const tinygltf::Value& extension_object(const tinygltf::ExtensionMap& extensions,
                                                       const char* extension);
 
-/// The number `key` of `object`, or `missing` where it has none.
+/// Returns the number `key` of `object`, or `missing` if it has none.
 [[nodiscard]] double number_or(const tinygltf::Value& object, const char* key, double missing);
 
-/// The list of numbers `key` of `object`, or `missing` where it has none of the same length.
+/// Returns the list of numbers `key` of `object`, or `missing` if it has none of the same length.
 [[nodiscard]] std::vector<double> numbers_or(const tinygltf::Value& object, const char* key,
                                              const std::vector<double>& missing);
 
-/// The textureInfo `key` of `object`; its index is -1 where it has none.
+/// Returns the textureInfo `key` of `object`; its index is -1 if it has none.
 [[nodiscard]] tinygltf::TextureInfo texture_info(const tinygltf::Value& object, const char* key);
 
 }  // namespace common::gltf

@@ -18,10 +18,10 @@ namespace {
 using Json = nlohmann::json;
 
 enum class Treatment {
-    read,      ///< drawn as the file says; where it is not, what reads that part warns
-    unseen,    ///< changes nothing that is to be seen before something is played
-    fallback,  ///< offers a choice of looks, of which the one without a choice is drawn
-    not_drawn  ///< the material says so, where it asks for something (not_drawn.h)
+    read,      ///< drawn as the file says; the code that reads it warns of exceptions
+    unseen,    ///< has no visible effect before something is played
+    fallback,  ///< offers variants, of which the default is drawn
+    not_drawn  ///< the material warns if it uses the extension (not_drawn.h)
 };
 
 struct Extension {
@@ -29,7 +29,7 @@ struct Extension {
     Treatment treatment;
 };
 
-/// All others are not drawn: refused where the file requires them, and warned about elsewhere.
+/// All other extensions are not drawn: an error if the file requires them, else a warning.
 constexpr std::array<Extension, 24> known = {{
     {"EXT_mesh_gpu_instancing", Treatment::read},
     {"KHR_lights_punctual", Treatment::read},
@@ -84,8 +84,8 @@ std::vector<std::string> extension_list(const Json& document, const char* key) {
     return names;
 }
 
-/// Warns of the extensions of `value` and of all that is in it, but for "extras", which can hold anything.
-/// Notes their names in `used`.
+/// Warns of the extensions of `value` and of everything in it, except "extras", which can hold anything. Adds
+/// their names to `used`.
 void warn_about_used(const Json& value, const std::string& place, std::set<std::string>& used,
                      Warnings& warnings) {
     if (value.is_object() && value.contains("extensions") && value.at("extensions").is_object()) {

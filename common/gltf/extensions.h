@@ -1,4 +1,4 @@
-// Which glTF extensions are understood.
+// The glTF extensions that are supported.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,8 +7,8 @@
 
 namespace common::gltf {
 
-/// Throws InputError, naming it, for an extension that the file requires and that is not drawn; adds a
-/// warning for each one that is listed or used somewhere and not drawn, with its whole name.
+/// Throws InputError, naming the extension, if the file requires one that is not drawn. Adds a warning, with
+/// the full name, for each extension that is listed or used anywhere and not drawn.
 void check_extensions(const nlohmann::json& document, Warnings& warnings);
 
 }  // namespace common::gltf

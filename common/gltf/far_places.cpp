@@ -8,7 +8,7 @@ namespace {
 
 using Imath::V3d;
 
-/// Largest coordinate.
+/// Returns the largest absolute coordinate.
 double distance_of(const Imath::Box3f& bounds) {
     double largest = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -28,7 +28,7 @@ V3d origin_for(const Imath::Box3f& bounds) {
     const double diagonal = diagonal_of(bounds);
     if (bounds.isEmpty() || distance_of(bounds) <= far_in_diagonals * diagonal) return V3d(0);
     const V3d center = 0.5 * (V3d(bounds.min) + V3d(bounds.max));
-    // A round number is easier to add, and doubles have it exactly.
+    // A multiple of a power of two is exact in double and easy to add.
     const double step = diagonal > 0 ? std::exp2(std::floor(std::log2(diagonal))) : 1.0;
     return {std::round(center.x / step) * step, std::round(center.y / step) * step,
             std::round(center.z / step) * step};

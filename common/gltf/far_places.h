@@ -1,4 +1,4 @@
-// Scenes that lie farther from their origin than floats can tell their parts apart.
+// Scenes so far from their origin that floats cannot resolve their details.
 #pragma once
 
 #include <Imath/ImathBox.h>
@@ -11,15 +11,16 @@
 
 namespace common::gltf {
 
-/// Where to have the origin for what lies within `bounds` (Scene::origin): zero unless coordinates are more
-/// than 256 times the diagonal, of which floats then resolve less than a 30,000th and rays start a 2,000th
-/// off their surfaces (RayScene::off_surface).
+/// Returns the origin for geometry within `bounds` (Scene::origin): zero unless coordinates exceed 256 times
+/// the diagonal. At that distance, floats are spaced by a 30,000th of the diagonal, and rays start a 2,000th
+/// of it off their surfaces (RayScene::off_surface).
 [[nodiscard]] Imath::V3d origin_for(const Imath::Box3f& bounds);
 
-/// Moves the nodes so that the world has its origin at `origin`.
+/// Moves the nodes so that `origin` becomes the origin of world space.
 void move_origin(const Imath::V3d& origin, std::span<PlacedNode> nodes);
 
-/// Warns of instances that are still too far away: rays start more than a 64th of their size off them.
+/// Warns of instances that are still too far away: rays start more than a 64th of their size off their
+/// surfaces.
 void warn_about_far_instances(const Scene& scene, Warnings& warnings);
 
 }  // namespace common::gltf

@@ -24,7 +24,8 @@ Rgb strength(const tinygltf::Light& light, const std::string& where) {
     return color;
 }
 
-/// By way of memory: GCC 12 leaves out what takes two doubles to floats and back at once.
+/// Rounds to float. The volatile works around GCC 12, which drops the conversion of two doubles to float and
+/// back.
 double nearest_float(double value) {
     volatile float rounded = static_cast<float>(value);
     return rounded;
@@ -37,7 +38,7 @@ SpotLight spot_light(const tinygltf::Light& light, const Vec3& position, const V
     if (outer != light.spot.outerConeAngle || inner != light.spot.innerConeAngle)
         warnings.add("cone angles clamped to 0 <= inner <= outer <= pi/2", where);
     SpotLight spot{position, axis, strength(light, where), std::cos(inner), std::cos(outer), one_line(where)};
-    if (!spot.is_narrow()) {  // floats do, and maps and references made with them go on to the bit
+    if (!spot.is_narrow()) {  // floats suffice, and keep existing maps and references the same to the bit
         spot.cos_inner_angle = nearest_float(spot.cos_inner_angle);
         spot.cos_outer_angle = nearest_float(spot.cos_outer_angle);
     }

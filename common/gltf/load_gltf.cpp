@@ -18,8 +18,8 @@
 namespace common {
 namespace {
 
-/// Where they lie far from the origin, once more with another one, and the nodes moved there: doubles say
-/// where nodes are, and only what is stored are floats.
+/// Appends the meshes. If they lie far from the origin, moves the nodes to another origin and appends them
+/// again. This works as nodes are placed in double; only the stored geometry is in float.
 void append_meshes_near_origin(const tinygltf::Model& model, std::vector<gltf::PlacedNode>& nodes,
                                Scene& scene, gltf::Warnings& warnings) {
     const gltf::Warnings before = warnings;

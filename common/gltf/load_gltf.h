@@ -1,4 +1,4 @@
-// glTF 2.0 file -> Scene.
+// Loads a glTF 2.0 file into a Scene.
 #pragma once
 
 #include <filesystem>
@@ -7,20 +7,19 @@
 
 namespace common {
 
-/// Reads a .gltf or .glb file with all its mesh instances moved to world space: the default scene of the
-/// file, else its first, else all its nodes.
+/// Reads a .gltf or .glb file and moves its mesh instances to world space: those of its default scene, else
+/// of its first scene, else of all its nodes.
 ///
-/// Read are triangle lists, strips and fans, materials (gltf/materials.h says which surface each becomes),
-/// KHR_lights_punctual (candela taken as W/sr, lux as W/m^2) and perspective cameras; skins and morph targets
-/// as they are where no animation plays. Zero-area triangles are left out and counted in Scene::warnings, as
-/// is everything else that is read but not honoured, each extension with its name. That a diffuse surface has
-/// no metallic or glossy reflection goes without a warning.
+/// Reads triangle lists, strips and fans, materials (gltf/materials.h says which surface each becomes),
+/// KHR_lights_punctual (candela taken as W/sr, lux as W/m^2) and perspective cameras. Reads skins and morph
+/// targets in their pose without animation. Zero-area triangles are left out and counted in Scene::warnings.
+/// Everything else that is read but not honoured has a warning there, each extension with its name. Only the
+/// missing metallic or glossy reflection of a diffuse surface has none.
 ///
-/// Throws InputError, with the file and what is wrong with it in one line, for a file that is missing,
-/// truncated or not glTF 2.0, for indices and ranges that point outside their target, for a buffer or a
-/// needed image that cannot be read, for positions and transforms that are not finite, for nodes in a loop,
-/// for an extension that is required but not drawn, for meshes and textures that are there in compressed form
-/// only, and for a scene without triangles.
+/// Throws InputError, with the file and the error in one line, in these cases: the file is missing, truncated
+/// or not glTF 2.0; indices or ranges point outside their target; a buffer or a needed image cannot be read;
+/// positions or transforms are not finite; nodes form a loop; an extension is required but not drawn; meshes
+/// or textures exist in compressed form only; the scene has no triangles.
 [[nodiscard]] Scene load_gltf(const std::filesystem::path& file);
 
 }  // namespace common

@@ -44,7 +44,7 @@ class MaterialReader {
         return extension_object(source_.extensions, name);
     }
     [[nodiscard]] bool is_unlit() const { return has_extension("KHR_materials_unlit"); }
-    /// Then pbrMetallicRoughness is for those who do not know the extension.
+    /// Returns whether pbrMetallicRoughness is only a fallback for readers without that extension.
     [[nodiscard]] bool is_specular_glossy() const {
         return has_extension("KHR_materials_pbrSpecularGlossiness");
     }
@@ -78,7 +78,7 @@ class MaterialReader {
     void read_transmission(Material& material) {
         const tinygltf::Value& transmission = extension("KHR_materials_transmission");
         const auto& pbr = source_.pbrMetallicRoughness;
-        // Metal lets nothing through. With a texture only that, which is not read, says whether it is one.
+        // Metal transmits nothing. With a texture the metallic part is unknown, as the texture is not read.
         const double metal = pbr.metallicRoughnessTexture.index < 0 ? pbr.metallicFactor : 0;
         const double transmitted = number_or(transmission, "transmissionFactor", 0) * (1 - metal);
         if (transmitted <= 0) return;
@@ -135,7 +135,7 @@ class MaterialReader {
     void read_emission(Material& material) {
         const double strength =
             number_or(extension("KHR_materials_emissive_strength"), "emissiveStrength", 1);
-        // Factors above 1 break the specification, but say clearly what they mean and are common.
+        // Factors above 1 violate the specification, but their meaning is clear and they are common.
         Rgb radiance = rgb_of(source_.emissiveFactor) * static_cast<float>(strength);
         if (!is_finite(radiance))
             throw InputError(fmt::format("{} has an emission that is not finite", place_));

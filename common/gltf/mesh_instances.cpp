@@ -17,7 +17,7 @@ using Imath::V3d;
 
 constexpr const char* extension_name = "EXT_mesh_gpu_instancing";
 
-/// The numbers of one instance; `missing` where there is no attribute.
+/// Returns the numbers of one instance, or `missing` if there is no attribute.
 template <std::size_t width>
 std::array<double, width> numbers_or(AccessorReader& accessors, std::optional<int> attribute,
                                      std::size_t instance, std::array<double, width> missing) {

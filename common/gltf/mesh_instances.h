@@ -1,4 +1,4 @@
-// The places in which a node has its mesh drawn: its own, or those of EXT_mesh_gpu_instancing.
+// The instances of a node's mesh: one, or those of EXT_mesh_gpu_instancing.
 #pragma once
 
 #include <Imath/ImathMatrix.h>
@@ -13,19 +13,19 @@
 
 namespace common::gltf {
 
-/// The instances of one node's mesh. Nothing is kept for each: a short file can ask for very many.
+/// The instances of one node's mesh. Stores nothing per instance, as a short file can ask for very many.
 class MeshInstances {
   public:
-    /// Warns of instance attributes that are neither a transform nor the application's own. Throws InputError
-    /// for those of a wrong type or of different length, and for none.
+    /// Warns of instance attributes that are neither a transform nor application-specific. Throws InputError
+    /// for attributes of a wrong type or of different lengths, and if an instanced node has none.
     MeshInstances(const tinygltf::Model& model, const PlacedNode& node, AccessorReader& accessors,
                   Warnings& warnings);
 
     [[nodiscard]] std::size_t count() const { return count_; }
-    /// True where EXT_mesh_gpu_instancing lists them, be it one.
+    /// Returns true if EXT_mesh_gpu_instancing lists the instances, even if it is only one.
     [[nodiscard]] bool are_listed() const { return are_listed_; }
-    /// Of instance `i`; affine, for row vectors as PlacedNode::to_world. Throws InputError for a rotation
-    /// that is none and for a transform that is not finite.
+    /// Returns the transform of instance `i`: affine, for row vectors as PlacedNode::to_world. Throws
+    /// InputError for an invalid rotation and for a transform that is not finite.
     [[nodiscard]] Imath::M44d to_world(std::size_t i) const;
 
   private:

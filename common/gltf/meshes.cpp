@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::uint32_t not_yet = std::numeric_limits<std::uint32_t>::max();
 
-/// The primitives' name within the scene: the node's or mesh's, numbered where the mesh has several.
+/// Returns a primitive's name in the scene: the node's or mesh's, numbered if the mesh has several.
 std::string instance_name(const tinygltf::Model& model, const tinygltf::Node& node, std::size_t primitive) {
     const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
     std::string name = node.name.empty() ? mesh.name : node.name;
@@ -45,7 +45,7 @@ class InstanceWriter {
           writes_colors_(!colors.color.empty() || !scene.color.empty()),
           vertex_of_(attributes.position.size(), not_yet) {
         if (!writes_colors_ || !scene.color.empty()) return;
-        // The scene's first colours: what came before is white.
+        // These are the scene's first colours: all earlier vertices are white.
         scene.color.assign(scene.position.size(), Rgb(1, 1, 1));
         scene.alpha.assign(scene.position.size(), 1.0f);
     }
@@ -69,8 +69,8 @@ class InstanceWriter {
         return {attributes_.tangent[corner], attributes_.tangent_sign[corner]};
     }
 
-    /// Index of the scene's vertex. Without normals every triangle gets vertices, hence a flat normal, of its
-    /// own.
+    /// Returns the index of the vertex in the scene. Without normals in the file, every triangle gets its own
+    /// vertices, and thus a flat normal.
     std::uint32_t vertex_for(std::uint32_t corner, const Vec3& geometric_normal, const Tangent& tangent) {
         if (attributes_.normal.empty()) return add_vertex(corner, geometric_normal, tangent);
         std::uint32_t* vertex = &vertex_of_[corner];
@@ -113,14 +113,14 @@ class InstanceWriter {
     const VertexColors& colors_;
     bool writes_colors_;
     std::vector<std::uint32_t> vertex_of_;
-    /// Further vertices of the scene for one of the primitive's, by it and their tangent.
+    /// Further scene vertices of the same primitive vertex, by that vertex and their tangent.
     std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> twin_of_;
 };
 
-/// What became of triangles.
+/// The result of appending triangles.
 struct AppendedTriangles {
-    std::size_t left_out = 0;  ///< had no area
-    Imath::Box3f bounds;       ///< of all, those left out too
+    std::size_t left_out = 0;  ///< number of triangles without area
+    Imath::Box3f bounds;       ///< of all triangles, including those left out
 };
 
 void append_triangles(std::span<const TriangleVertices> triangles, const Attributes& attributes,
@@ -150,8 +150,8 @@ void warn_about_missing_texcoords(const Material& material, const MeshInstance& 
     }
 }
 
-/// Whether the file says (in extras) that its normal map, say one made from heights, belongs to the
-/// derivatives of each triangle's own texture coordinates.
+/// Returns whether the file states (in extras) that its normal map refers to the derivatives of each
+/// triangle's own texture coordinates, as a map made from heights does.
 bool is_normal_map_of_derivatives(const tinygltf::Model& model, int material) {
     if (material < 0) return false;
     const tinygltf::Value& extras = model.materials[static_cast<std::size_t>(material)].normalTexture.extras;
@@ -159,7 +159,7 @@ bool is_normal_map_of_derivatives(const tinygltf::Model& model, int material) {
            extras.Get("tangents").Get<std::string>() == "derivatives";
 }
 
-/// Tangents for a normal map to which the file gives none (glTF 2.0, section 3.7.2.1); else none.
+/// Returns tangents for a normal map whose file gives none (glTF 2.0, section 3.7.2.1), else nothing.
 std::vector<CornerTangents> made_tangents(const Attributes& attributes,
                                           std::span<const TriangleVertices> triangles,
                                           const TextureUse& use) {
@@ -175,8 +175,7 @@ std::vector<CornerTangents> made_tangents(const Attributes& attributes,
     return corner_tangents(attributes, texcoord, triangles);
 }
 
-/// A primitive as it lies in the file: its triangles, and the vertices that they use in the space of the
-/// node.
+/// A primitive as the file has it: its triangles, and the vertices that they use, in the space of the node.
 struct PrimitiveGeometry {
     std::string name;
     PrimitiveTriangles triangles;
@@ -214,7 +213,7 @@ class MeshAppender {
     [[nodiscard]] const AppendedTriangles& appended() const { return appended_; }
 
   private:
-    /// Whether there are triangles to read, with a warning where not.
+    /// Returns whether there are triangles to read; warns if not.
     [[nodiscard]] bool is_readable(const tinygltf::Primitive& primitive, const std::string& name) {
         check_compression(model_, primitive);
         if (!is_made_of_triangles(primitive)) {
@@ -238,7 +237,7 @@ class MeshAppender {
         morph(accessors_, primitive, weights, vertices, geometry.attributes, name, warnings_);
         repair(geometry.attributes, name, warnings_);
         if (geometry.attributes.normal.empty())
-            geometry.attributes.tangent.clear();  // as section 3.7.2.1 says
+            geometry.attributes.tangent.clear();  // as glTF 2.0, section 3.7.2.1, requires
 
         geometry.colors = read_vertex_colors(accessors_, model_, primitive,
                                              scene_.material[geometry.material], vertices, name, warnings_);
@@ -259,7 +258,7 @@ class MeshAppender {
         }
     }
 
-    /// False where the node has no skin, or one that cannot be used.
+    /// Returns false if the node has no skin, or one that cannot be used.
     [[nodiscard]] bool append_skinned(const tinygltf::Primitive& primitive, const PlacedNode& placed,
                                       PrimitiveGeometry& geometry) {
         const int skin = model_.nodes[static_cast<std::size_t>(placed.node)].skin;
@@ -283,11 +282,12 @@ class MeshAppender {
                                               scene_.material[geometry.material].normal_texture);
     }
 
-    /// Before any memory is taken: a short file can ask for very many instances.
+    /// Checks that the instances fit, before any memory is allocated: a short file can ask for very many.
     void check_room(const PrimitiveGeometry& geometry, std::size_t instances) const {
         const std::size_t triangles = geometry.triangles.triangle.size();
         if (instances == 1 || triangles == 0) return;
-        // Generous: 56 bytes a vertex, 28 a triangle, a few hundred an instance, and lists grow by doubling.
+        // An upper estimate: 56 bytes per vertex, 28 per triangle, some hundred per instance; lists double as
+        // they grow.
         const double needed = static_cast<double>(instances) * (500.0 * static_cast<double>(triangles) + 500);
         if (needed > static_cast<double>(available_bytes()))
             throw InputError(fmt::format("{} instances of {} triangles need more memory than there is",

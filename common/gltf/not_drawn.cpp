@@ -11,7 +11,7 @@
 namespace common::gltf {
 namespace {
 
-/// A property that says something where it is not `neutral`: a number, a list of numbers, or a texture.
+/// A property that has an effect unless it is `neutral`: a number, a list of numbers, or a texture.
 struct Property {
     const char* extension;
     const char* key;

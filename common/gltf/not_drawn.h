@@ -1,4 +1,4 @@
-// What a glTF material asks for that is not drawn.
+// Properties of glTF materials that are not drawn.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -10,12 +10,12 @@
 
 namespace common::gltf {
 
-/// Adds a warning for each property of `source` that says something and is left out of a surface of `kind`,
-/// by its full name. `place` names the material.
+/// Adds a warning, with the full name, for each property of `source` that has an effect and is left out of a
+/// surface of `kind`. `place` names the material.
 void warn_about_what_is_not_drawn(const tinygltf::Material& source, SurfaceKind kind,
                                   const std::string& place, Warnings& warnings);
 
-/// What is said of metals that are not perfect mirrors; glTF's default material is one.
+/// The warning for metals that are not perfect mirrors; glTF's default material is one.
 inline constexpr const char* metal_warning = "metal that is not a perfect mirror drawn as Lambertian";
 
 }  // namespace common::gltf

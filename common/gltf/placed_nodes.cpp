@@ -85,7 +85,7 @@ M44d transform_of(const V3d& scale, const std::array<double, 4>& rotation, const
 void check_transform(const M44d& matrix) {
     const double* element = matrix.getValue();
     for (int i = 0; i < 16; ++i) {
-        // Positions are stored as floats in the end.
+        // Positions end up as floats.
         if (!(std::abs(element[i]) <= std::numeric_limits<float>::max()))
             throw InputError("has a transform that is not finite");
     }
@@ -106,7 +106,7 @@ std::vector<PlacedNode> place_nodes(const tinygltf::Model& model) {
                           is_visible && !hides(model.nodes[static_cast<std::size_t>(node)])});
     };
     for (const int root : scene_roots(model)) place(root, M44d(), true);
-    // The list grows while it is walked: breadth first, without recursion, however deep the file is.
+    // Breadth-first without recursion, as a file may nest deeply. The list grows during the walk.
     for (std::size_t i = 0; i < placed.size(); ++i) {
         const PlacedNode parent = placed[i];
         for (const int child : model.nodes[static_cast<std::size_t>(parent.node)].children)

@@ -19,7 +19,7 @@ std::vector<Vec2> pairs(std::span<const float> values) {
     return result;
 }
 
-/// The first three of every `components` numbers.
+/// Returns the first three of every `components` numbers.
 std::vector<Vec3> triples(std::span<const float> values, std::size_t components) {
     std::vector<Vec3> result(values.size() / components);
     for (std::size_t i = 0; i < result.size(); ++i) {
@@ -35,7 +35,7 @@ std::vector<float> signs(std::span<const float> xyzw) {
     return result;
 }
 
-/// The order in which the vertices follow each other.
+/// Returns the sequence of vertices: the primitive's indices, else 0, 1, ...
 std::vector<std::uint32_t> vertex_sequence(AccessorReader& accessors, const tinygltf::Primitive& primitive,
                                            std::uint32_t vertex_count) {
     if (primitive.indices >= 0) return accessors.read_indices(primitive.indices);
@@ -44,7 +44,7 @@ std::vector<std::uint32_t> vertex_sequence(AccessorReader& accessors, const tiny
     return sequence;
 }
 
-/// glTF 2.0, section 3.7.2.1.
+/// Splits a sequence of vertices into triangles: glTF 2.0, section 3.7.2.1.
 std::vector<TriangleVertices> triangles_of(std::span<const std::uint32_t> sequence, int mode) {
     std::vector<TriangleVertices> triangles;
     switch (mode) {

@@ -1,4 +1,4 @@
-// What one mesh primitive holds, in the space of its node.
+// The contents of one mesh primitive, in the space of its node.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -14,7 +14,7 @@
 
 namespace common::gltf {
 
-/// Vertex attributes. Each list has one entry per vertex, or none where the file does not have it.
+/// Vertex attributes. Each list has one entry per vertex, or none if the file does not have the attribute.
 struct Attributes {
     std::vector<Vec3> position;
     std::vector<Vec3> normal;
@@ -23,14 +23,14 @@ struct Attributes {
     std::array<std::vector<Vec2>, 2> texcoord;
 };
 
-/// The triangles of a primitive, and those of its vertices that they use: many primitives can share the lists
-/// of vertices of a whole file.
+/// The triangles of a primitive and only the vertices that they use, as many primitives can share the vertex
+/// lists of a whole file.
 struct PrimitiveTriangles {
     std::vector<TriangleVertices> triangle;  ///< corners as indices into `vertex`
-    std::vector<std::uint32_t> vertex;       ///< places in the primitive's attributes, in order of first use
+    std::vector<std::uint32_t> vertex;       ///< indices of the primitive's attributes, in order of first use
 };
 
-/// True for the modes TRIANGLES, TRIANGLE_STRIP and TRIANGLE_FAN.
+/// Returns true for the modes TRIANGLES, TRIANGLE_STRIP and TRIANGLE_FAN.
 [[nodiscard]] bool is_made_of_triangles(const tinygltf::Primitive& primitive);
 
 /// Reads the triangles of the primitives of a model.
@@ -38,8 +38,8 @@ class TriangleReader {
   public:
     explicit TriangleReader(AccessorReader& accessors) : accessors_(accessors) {}
 
-    /// Listed or counted off, out of a list, strip or fan; vertices that are left over make none. Throws
-    /// InputError for an index beyond the vertices.
+    /// Returns the triangles of a list, strip or fan, with or without indices. Leftover vertices form none.
+    /// Throws InputError for an index beyond the vertices.
     [[nodiscard]] PrimitiveTriangles read(const tinygltf::Primitive& primitive);
 
   private:
@@ -47,18 +47,19 @@ class TriangleReader {
                                                              std::uint32_t vertex_count);
 
     AccessorReader& accessors_;
-    /// For every vertex its number in the primitive that is read. Between two of them nothing has one:
-    /// setting them all for each would take as long as all vertices times all primitives.
+    /// Maps a vertex to its number in the primitive that is being read. read() resets only the entries that
+    /// it used: resetting all for each primitive would take time proportional to vertices times primitives.
     std::vector<std::uint32_t> number_of_;
 };
 
-/// The attribute `name` of the vertices `vertices`, `components` numbers each; nothing where the primitive
-/// does not have it. Throws InputError for a wrong type and where it has not as many elements as POSITION.
+/// Returns the attribute `name` of the vertices `vertices`, `components` numbers each; nothing if the
+/// primitive does not have it. Throws InputError for a wrong type, and if its length differs from that of
+/// POSITION.
 [[nodiscard]] std::vector<float> read_attribute(AccessorReader& accessors,
                                                 const tinygltf::Primitive& primitive, const char* name,
                                                 int components, std::span<const std::uint32_t> vertices);
 
-/// The attributes of the vertices `vertices`. Throws InputError as read_attribute().
+/// Returns the attributes of the vertices `vertices`. Throws InputError as read_attribute() does.
 [[nodiscard]] Attributes read_attributes(AccessorReader& accessors, const tinygltf::Primitive& primitive,
                                          std::span<const std::uint32_t> vertices);
 

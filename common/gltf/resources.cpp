@@ -61,7 +61,7 @@ tinygltf::Image read_image(const Json& described, bool is_needed, const std::fil
     image.as_is = true;
     image.name = text_or_empty(described, "name");
     if (described.contains("bufferView")) {
-        // Not copied; it is there to be read when the image is decoded.
+        // Not copied: the image is decoded from the buffer view.
         image.bufferView = described.at("bufferView").get<int>();
         return image;
     }
@@ -71,7 +71,7 @@ tinygltf::Image read_image(const Json& described, bool is_needed, const std::fil
     try {
         image.image = read_uri(uri, directory);
     } catch (const InputError&) {
-        // Without bytes it is refused by name where it is decoded.
+        // An image without bytes is an error when it is decoded, with its name.
     }
     return image;
 }
@@ -88,7 +88,7 @@ std::vector<tinygltf::Buffer> read_buffers(const Json& document, std::vector<std
             throw InputError(fmt::format("buffers/{} has no byteLength", i));
         tinygltf::Buffer buffer;
         buffer.data = bytes_of_buffer(document, i, binary, directory);
-        // It may be longer than the buffer that it holds (glTF 2.0, section 3.6.1.1).
+        // The file may be longer than the buffer that it holds (glTF 2.0, section 3.6.1.1).
         const auto length = described.at("byteLength").get<std::uint64_t>();
         if (buffer.data.size() < length)
             throw InputError(fmt::format("buffers/{} has {} of its {} bytes", i, buffer.data.size(), length));

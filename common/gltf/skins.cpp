@@ -52,7 +52,7 @@ M44d mean_transform(std::span<const Influences> sets, std::span<const M44d> join
     M44d mean(0.0);
     for (const Influences& set : sets) {
         for (std::size_t i = 4 * vertex; i < 4 * vertex + 4; ++i) {
-            // Joints without weight can be anything.
+            // Joints of weight 0 may be invalid.
             if (set.weight[i] != 0)
                 mean += joint_transform(joints_to_world, set.joint[i]) * (set.weight[i] / sum);
         }

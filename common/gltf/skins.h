@@ -20,9 +20,9 @@ class Skins {
   public:
     Skins(const tinygltf::Model& model, std::span<const PlacedNode> nodes, AccessorReader& accessors);
 
-    /// For every joint of the skin what takes a vertex to world space, affine, for row vectors as
-    /// PlacedNode::to_world; nothing where a joint is not in the scene. Throws InputError for inverse bind
-    /// matrices of a wrong type, too few of them, and those that are not finite or not affine.
+    /// Returns for every joint of the skin the transform of a vertex to world space: affine, for row vectors
+    /// as PlacedNode::to_world. Returns nothing if a joint is not in the scene. Throws InputError for inverse
+    /// bind matrices of a wrong type, too few of them, and ones that are not finite or not affine.
     [[nodiscard]] std::vector<Imath::M44d> joints_to_world(int skin) const;
 
   private:
@@ -31,12 +31,12 @@ class Skins {
     std::vector<const PlacedNode*> placed_;  ///< per node of the model; null where it is not in the scene
 };
 
-/// True where a primitive says which joints move its vertices.
+/// Returns true if a primitive says which joints move its vertices.
 [[nodiscard]] bool has_joints(const tinygltf::Primitive& primitive);
 
-/// For each of `vertices` what takes it to world space: the mean of its joints' transforms by its weights.
-/// Warns, about the mesh `name`, of vertices without weights, which go with their first joint. Throws
-/// InputError for attributes of a wrong type or length and for joints that the skin does not have.
+/// Returns the transform of each of `vertices` to world space: the mean of its joints' transforms by its
+/// weights. Warns, naming the mesh `name`, of vertices without weights, which follow their first joint.
+/// Throws InputError for attributes of a wrong type or length and for joints that the skin does not have.
 [[nodiscard]] std::vector<Imath::M44d> vertices_to_world(AccessorReader& accessors,
                                                          const tinygltf::Primitive& primitive,
                                                          std::span<const Imath::M44d> joints_to_world,

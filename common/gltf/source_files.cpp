@@ -31,11 +31,11 @@ std::vector<std::filesystem::path> source_files(const std::filesystem::path& glt
     std::vector<std::filesystem::path> files = {gltf};
     try {
         const std::string text = gltf::read_container(gltf).json;
-        // As written and as decoded: both are asked for where files are read.
+        // Both as written and as decoded, as reading tries both.
         for (const std::string& uri : uris_in(Json::parse(text, nullptr, false)))
             for (const std::string& name : {uri, gltf::percent_decoded(uri)})
                 files.push_back(gltf.parent_path() / name);
-    } catch (const InputError&) {  // as the one who loads it will say
+    } catch (const InputError&) {  // loading the file reports it
     }
     return files;
 }

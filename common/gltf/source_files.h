@@ -1,4 +1,4 @@
-// Which files a scene is read from.
+// Lists the files that a scene is read from.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace common {
 
-/// A glTF file, then the buffers and images that are files of their own, whether they are there or not. Of a
-/// file that is no glTF, itself alone: to load it says why.
+/// Returns a glTF file and the buffers and images that it has in separate files, whether these exist or not.
+/// For a file that is not glTF, returns only that file; loading it reports the error.
 [[nodiscard]] std::vector<std::filesystem::path> source_files(const std::filesystem::path& gltf);
 
 }  // namespace common

@@ -17,10 +17,10 @@ using Imath::V3d;
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// Less than what 8 bits of a normal map resolve near its middle, which is half a degree.
+/// Less than the resolution of an 8-bit normal map near its middle, which is half a degree.
 constexpr double largest_difference = 0.1 * 3.14159265358979 / 180;  // radians
 
-/// What the corners of a primitive's triangles are, corner i of triangle t being 3 t + i.
+/// The corners of a primitive's triangles. Corner i of triangle t has the index 3 t + i.
 class Corners {
   public:
     Corners(const Attributes& attributes, std::span<const Vec2> texcoord,
@@ -43,14 +43,14 @@ class Corners {
     }
     [[nodiscard]] const Vec2& texcoord(std::size_t corner) const { return texcoord_[vertex(corner)]; }
 
-    /// Without three places for its three corners a triangle has no part in what is around it.
+    /// Returns whether two corners share a position. Such a triangle does not affect its surroundings.
     [[nodiscard]] bool is_degenerate(std::size_t triangle) const {
         const Vec3 &a = position(3 * triangle), &b = position(3 * triangle + 1),
                    &c = position(3 * triangle + 2);
         return a == b || b == c || c == a;
     }
 
-    /// Numbers for the corners, equal where position, normal and texture coordinates are.
+    /// Returns a number for each corner, equal for equal position, normal and texture coordinates.
     [[nodiscard]] std::vector<std::uint32_t> welded() const {
         const auto key = [&](std::uint32_t corner) {
             const Vec3 &p = position(corner), &n = normal(corner);
@@ -101,13 +101,13 @@ Chart chart_of(const Corners& corners, std::size_t triangle) {
     return {along_u.normalized(), area > 0};
 }
 
-/// `v` in the plane across the unit `normal`, unit; or zero.
+/// Returns `v` projected to the plane perpendicular to the unit `normal`, as a unit vector; or zero.
 V3d across(const V3d& normal, const V3d& v) {
     return (v - normal * normal.dot(v)).normalized();
 }
 
-/// For each corner the triangle on the other side of the edge to the next corner, or none. Where more than
-/// two triangles meet at an edge they are paired in their order.
+/// Returns for each corner the triangle on the other side of the edge to the next corner, or none. If more
+/// than two triangles meet at an edge, they are paired in their order.
 std::vector<std::uint32_t> neighbours(const Corners& corners, const std::vector<std::uint32_t>& welded) {
     struct Edge {
         std::uint32_t low, high, corner;
@@ -125,7 +125,7 @@ std::vector<std::uint32_t> neighbours(const Corners& corners, const std::vector<
     });
 
     std::vector<std::uint32_t> neighbour(welded.size(), none);
-    std::deque<const Edge*> waiting;  // all of one sense
+    std::deque<const Edge*> waiting;  // all in the same direction along the edge
     const Edge* last = nullptr;
     for (const Edge& edge : edges) {
         if (last != nullptr && (last->low != edge.low || last->high != edge.high)) waiting.clear();
@@ -170,7 +170,7 @@ class Grouping {
   private:
     enum Sense : std::uint8_t { unknown, upright, mirrored };
 
-    /// All that can be reached from `first` over edges at its vertex, into members_.
+    /// Collects in members_ all corners that can be reached from `first` over edges at its vertex.
     void collect(std::uint32_t first) {
         const Sense sense = sense_[first / 3];
         members_.clear();
@@ -181,7 +181,7 @@ class Grouping {
             open.pop_back();
             if (group_of_[corner] != none) continue;
             const std::uint32_t triangle = corner / 3, before = 3 * triangle + (corner + 2) % 3;
-            // A triangle without area in texture space goes with the first group that comes to it.
+            // A triangle without area in texture space joins the first group that reaches it.
             if (sense_[triangle] == unknown) sense_[triangle] = sense;
             if (sense_[triangle] != sense) continue;
             group_of_[corner] = groups_;
@@ -209,7 +209,7 @@ class Grouping {
     std::vector<std::uint32_t> members_, open_;
 };
 
-/// Radians between the edges at a corner, seen along the normal.
+/// Returns the angle in radians between the edges at a corner, projected along the normal.
 double angle_at(const Corners& corners, std::uint32_t corner, const V3d& normal) {
     const std::uint32_t first = corner - corner % 3;
     const V3d here(corners.position(corner));

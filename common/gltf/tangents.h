@@ -1,4 +1,4 @@
-// Tangents for a primitive with a normal map whose file gives none, as MikkTSpace makes them.
+// Tangents, as MikkTSpace makes them, for a primitive whose file gives a normal map but no tangents.
 #pragma once
 
 #include <array>
@@ -18,16 +18,17 @@ struct Tangent {
     bool operator==(const Tangent&) const = default;
 };
 
-/// One for each corner of a triangle: where texture coordinates are mirrored at a vertex, its triangles have
-/// different ones.
+/// The tangents at the corners of a triangle. They belong to the triangle, as triangles at a vertex have
+/// different ones where texture coordinates are mirrored.
 using CornerTangents = std::array<Tangent, 3>;
 
-/// Tangents at the corners of `triangles` for texture coordinates `texcoord` (one per vertex), in the space
-/// of `attributes`: means over the triangles around a vertex that share its position, normal and texture
-/// coordinates, hang together by edges and are mirrored alike, each weighted by its angle there (M.
-/// Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008). Zero where no such triangle has an area in
-/// texture space. None at all where every triangle's own derivatives already agree with them, as on flat
-/// walls: those serve as well. Positions and texture coordinates must be finite.
+/// Returns tangents at the corners of `triangles` for texture coordinates `texcoord` (one per vertex), in the
+/// space of `attributes`. Each is a mean over triangles around a vertex, weighted by their angle there (M.
+/// Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008). These triangles share position, normal and
+/// texture coordinates of the vertex, are connected by edges and are all mirrored or all not. The tangent is
+/// zero if none of them has an area in texture space. The result is empty if every triangle's own derivatives
+/// already agree with the tangents, as on flat walls: then the derivatives serve as well. Positions and
+/// texture coordinates must be finite.
 [[nodiscard]] std::vector<CornerTangents> corner_tangents(const Attributes& attributes,
                                                           std::span<const Vec2> texcoord,
                                                           std::span<const TriangleVertices> triangles);

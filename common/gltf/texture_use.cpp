@@ -24,8 +24,8 @@ TexcoordTransform texcoord_transform(const tinygltf::ExtensionMap& extensions) {
     const std::vector<double> offset = numbers_or(given, "offset", {0, 0});
     const std::vector<double> scale = numbers_or(given, "scale", {1, 1});
     const double rotation = number_or(given, "rotation", 0);
-    // Scaled, then turned, then moved. The matrix in the extension's text turns the other way than its
-    // words, its example and its test model say; these are followed.
+    // Scales, then rotates, then translates. The matrix in the extension's text rotates in the opposite
+    // direction to its words, its example and its test model. The latter are followed.
     const double cosine = std::cos(rotation), sine = std::sin(rotation);
     return {pair(offset[0], offset[1]), pair(cosine * scale[0], -sine * scale[0]),
             pair(sine * scale[1], cosine * scale[1])};

@@ -26,8 +26,8 @@ Wrap wrap_of(int gl_wrap) {
     }
 }
 
-/// Where the sampler says nothing, neighbours are blended. What minFilter says of images seen from afar does
-/// not matter: all are sampled at full size.
+/// Returns linear interpolation if the sampler does not say. minFilter does not matter, as textures are
+/// always sampled at full resolution.
 Filter filter_of(int gl_mag_filter) {
     return gl_mag_filter == TINYGLTF_TEXTURE_FILTER_NEAREST ? Filter::nearest : Filter::linear;
 }
@@ -63,7 +63,7 @@ tinygltf::Image decode(std::span<const unsigned char> encoded, const std::string
     return decoded;
 }
 
-/// The components of an image's pixels, of which tinygltf makes 8 or 16 bits.
+/// The components of an image's pixels, which tinygltf decodes to 8 or 16 bits.
 class Pixels {
   public:
     explicit Pixels(const tinygltf::Image& image) : image_(image) {}
@@ -116,7 +116,7 @@ std::vector<std::uint16_t> rgb_16_of(const Pixels& pixels) {
     return rgb;
 }
 
-/// None where it is 1 everywhere.
+/// Returns nothing if alpha is 1 everywhere.
 std::vector<std::uint8_t> alpha_of(const Pixels& pixels) {
     if (!pixels.has_alpha()) return {};
     std::vector<std::uint8_t> alpha(pixels.count());
@@ -125,7 +125,7 @@ std::vector<std::uint8_t> alpha_of(const Pixels& pixels) {
     return is_opaque ? std::vector<std::uint8_t>() : alpha;
 }
 
-/// What a texture without an image that can be read has instead.
+/// Returns the message for a texture without a readable image, naming the extensions that have another.
 std::string no_image(const tinygltf::Texture& source, int texture) {
     std::string others;
     for (const auto& [name, object] : source.extensions) {

@@ -1,4 +1,4 @@
-// Images and samplers of a glTF file -> textures.
+// Converts images and samplers of a glTF file to textures.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -12,17 +12,17 @@
 
 namespace common::gltf {
 
-/// What becomes of an image's alpha channel.
+/// Whether an image's alpha channel is kept.
 enum class Alpha { left_out, kept };
 
-/// Decodes images when something needs them, and each only once for the same use.
+/// Decodes images on demand, each only once for the same use.
 class TextureLoader {
   public:
     explicit TextureLoader(const tinygltf::Model& model) : model_(model) {}
 
-    /// Index, into take(), of the model's texture `texture` read as `color_space`. Data keep 16 bits where
-    /// the image has them, colours 8. Throws InputError, naming the image, where there is none or it cannot
-    /// be read or decoded.
+    /// Returns the index, into take(), of the model's texture `texture` read as `color_space`. Data keep 16
+    /// bits if the image has them, colours 8. Throws InputError, naming the image, if there is none or if it
+    /// cannot be read or decoded.
     [[nodiscard]] std::int32_t load(int texture, ColorSpace color_space, Alpha alpha);
 
     /// All textures loaded so far.

@@ -19,7 +19,8 @@ void warn_about_other_sets(const tinygltf::Primitive& primitive, const std::stri
                          name);
 }
 
-/// The number that stands for 1, for integers that the file does not call normalized; else 1.
+/// Returns the value that stands for 1: the largest integer if the file does not mark integers as normalized,
+/// else 1.
 float full_scale(const tinygltf::Accessor& accessor) {
     if (accessor.normalized) return 1;
     switch (accessor.componentType) {
@@ -32,7 +33,7 @@ float full_scale(const tinygltf::Accessor& accessor) {
     }
 }
 
-/// Colours as the file has them, `components` numbers each, brought to [0, 1].
+/// Brings the file's colour values to [0, 1], with `full` as 1.
 void mend(std::vector<float>& values, float full, const std::string& name, Warnings& warnings) {
     bool is_broken = false, is_beyond = false;
     for (float& value : values) {

@@ -1,4 +1,4 @@
-// COLOR_0: what multiplies the base colour of a primitive's material. glTF 2.0, sections 3.7.2.1 and 3.9.2.
+// COLOR_0: the factors of the base colour of a primitive's material. glTF 2.0, sections 3.7.2.1 and 3.9.2.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -19,10 +19,10 @@ struct VertexColors {
     std::vector<float> alpha;  ///< 1 where the file gives none
 };
 
-/// The colours of the vertices `vertices` of a primitive named `name` with this material. What is beyond [0,
-/// 1] or not finite is mended, with a warning, and so are integers that the file does not call normalized;
-/// other sets than the first are left out with one. Throws InputError for a wrong type and where there are
-/// not as many as positions.
+/// Returns the colours of the vertices `vertices` of a primitive named `name` with this material. Values
+/// outside [0, 1] or not finite are corrected, with a warning, and so are integers that the file does not
+/// mark as normalized. Sets other than the first are left out, with a warning. Throws InputError for a wrong
+/// type and if there are not as many colours as positions.
 [[nodiscard]] VertexColors read_vertex_colors(AccessorReader& accessors, const tinygltf::Model& model,
                                               const tinygltf::Primitive& primitive, const Material& material,
                                               std::span<const std::uint32_t> vertices,

@@ -1,4 +1,4 @@
-// What the loader says about a file: warnings gathered into a few lines, and texts cut down to one line.
+// Warnings of the loader about a file, merged into a few lines, and texts cut down to one line.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace common::gltf {
 
-/// The first line of `text`, without control characters and cut where it grows too long to read. Names and
-/// messages that come from a file can be anything.
+/// Returns the first line of `text` without control characters, truncated if it is too long to read. Names
+/// and messages that come from a file can be anything.
 [[nodiscard]] std::string one_line(std::string_view text);
 
-/// What was read but not honoured. The same complaint about many places becomes one line.
+/// Collects what was read but not honoured. The same complaint about many places becomes one line.
 class Warnings {
   public:
     /// `what` is the complaint, `where` the part of the file it is about.

@@ -9,7 +9,7 @@ namespace {
 
 using Imath::V3d;
 
-/// Squared lengths of what lies within this many metres of the origin still are floats.
+/// Largest coordinate, in metres, whose squared lengths do not overflow float.
 constexpr float farthest = 1e18f;
 
 template <class Vector>
@@ -23,7 +23,7 @@ bool repair(std::vector<Vector>& values) {
     return is_broken;
 }
 
-/// The linear part of a transform: what it makes of the axes.
+/// The linear part of a transform: the images of the axes.
 struct Linear {
     V3d x, y, z;
 
@@ -34,8 +34,8 @@ struct Linear {
 
     [[nodiscard]] bool is_mirroring() const { return x.cross(y).dot(z) < 0; }
     [[nodiscard]] V3d direction(const V3d& v) const { return x * v.x + y * v.y + z * v.z; }
-    /// By the cofactors, which are the inverse transpose times the determinant, but exist for flattening
-    /// transforms too.
+    /// Transforms a normal by the cofactor matrix: the inverse transpose times the determinant, which also
+    /// exists for singular transforms.
     [[nodiscard]] V3d normal(const V3d& n) const {
         const V3d scaled = y.cross(z) * n.x + z.cross(x) * n.y + x.cross(y) * n.z;
         return is_mirroring() ? -scaled : scaled;
@@ -56,7 +56,7 @@ void move_vertex(Attributes& attributes, std::size_t i, const Imath::M44d& to_wo
         attributes.normal[i] = Vec3(linear.normal(V3d(attributes.normal[i])).normalized());
     if (attributes.tangent.empty()) return;
     attributes.tangent[i] = Vec3(linear.direction(V3d(attributes.tangent[i])).normalized());
-    // Mirrored, cross(normal, tangent) points the other way than the mirrored bitangent.
+    // Under mirroring, cross(normal, tangent) is opposite to the mirrored bitangent.
     if (linear.is_mirroring()) attributes.tangent_sign[i] = -attributes.tangent_sign[i];
 }
 
@@ -101,7 +101,7 @@ void to_world_space(Attributes& attributes, std::span<TriangleVertices> triangle
 
 Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
     const V3d twice_area = (V3d(b) - V3d(a)).cross(V3d(c) - V3d(a));
-    // As triangle_area() has it: an area too small for a float is none.
+    // As in triangle_area(): an area too small for a float counts as zero.
     if (static_cast<float>(0.5 * twice_area.length()) == 0.0f) return Vec3(0);
     return Vec3(twice_area.normalized());
 }

@@ -1,4 +1,4 @@
-// OpenEXR files, written and read.
+// Writes and reads OpenEXR files.
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the pixels of `type` are that begin with `first`; OpenEXR counts from the display window's corner.
+/// Returns the slice of `type` whose pixel at `corner` is at `first`. OpenEXR expects the address of pixel
+/// (0, 0).
 Imf::Slice slice(Imf::PixelType type, char* first, std::size_t pixel, int width, const Imath::V2i& corner) {
     const std::size_t row = pixel * static_cast<std::size_t>(width);
     char* const origin =
@@ -29,7 +30,7 @@ Imf::Slice slice(Imf::PixelType type, char* first, std::size_t pixel, int width,
     return {type, origin, pixel, row};
 }
 
-/// Colours in the order that people expect, each layer for itself; the file has them by the alphabet.
+/// Returns the channels of each layer in the order R, G, B, A; the file has them alphabetically.
 std::vector<std::string> ordered_channels(const Imf::ChannelList& list) {
     std::vector<std::string> names;
     for (auto channel = list.begin(); channel != list.end(); ++channel) names.emplace_back(channel.name());
@@ -79,7 +80,7 @@ class ExrReader : public ImageReader {
         const std::vector<std::string>& channels = header().channels;
         const double bytes =
             sizeof(float) * static_cast<double>(channels.size()) * window.width * window.height;
-        constexpr double most_packed = 1e5;  // hardly any picture is made so small
+        constexpr double most_packed = 1e5;  // hardly any picture compresses further
         check_can_hold(file_bytes_, bytes, most_packed);
         std::vector<float> values(channels.size() * static_cast<std::size_t>(window.width) *
                                   static_cast<std::size_t>(window.height));
@@ -113,7 +114,7 @@ void write_exr(const fs::path& file, const Image& image, const ImageNotes& notes
         half ? std::vector<Imath::half>(image.values.begin(), image.values.end())
              : std::vector<Imath::half>();
     const std::size_t size = half ? sizeof(Imath::half) : sizeof(float);
-    // OpenEXR knows no const.
+    // OpenEXR takes no const pointers.
     char* const first = half ? reinterpret_cast<char*>(const_cast<Imath::half*>(halves.data()))
                              : reinterpret_cast<char*>(const_cast<float*>(image.values.data()));
     Imf::FrameBuffer buffer;

@@ -16,14 +16,14 @@ constexpr std::streamoff magic_and_version = 8;
     throw InputError("it is cut off within its header");
 }
 
-/// Up to the next zero, which is not part of it.
+/// Reads up to the next zero byte, which is not part of the result.
 std::string next_word(std::istream& file) {
     std::string word;
     if (!std::getline(file, word, '\0') || file.eof()) cut_off();
     return word;
 }
 
-/// Name, type, size and value; false for the empty name that ends a header.
+/// Skips name, type, size and value of an attribute. Returns false for the empty name that ends a header.
 bool skip_attribute(std::istream& file, std::streamoff end) {
     if (next_word(file).empty()) return false;
     (void)next_word(file);
@@ -51,7 +51,7 @@ void check_exr_headers(const std::filesystem::path& path) {
         }
         return;
     }
-    // One header after the other, then one without attributes.
+    // Headers follow each other until one without attributes.
     while (skip_attribute(file, end))
         while (skip_attribute(file, end)) {
         }

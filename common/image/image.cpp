@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What `work` gives; whatever it throws becomes the one line about the file, but for a lack of memory.
+/// Returns what `work` returns. Turns its exceptions, except a lack of memory, into one line about the file.
 template <class Work>
 auto while_reading(const fs::path& file, const Work& work) {
     try {
@@ -58,7 +58,7 @@ bool fits_in_halves(const Image& image) {
         const double mean = sum / static_cast<double>(image.pixel_count());
         for (std::size_t p = 0; p < image.pixel_count(); ++p) {
             const double value = image.at(p, c), kept = float{Imath::half(image.at(p, c))};
-            // So put, what is not finite does not fit either.
+            // The negated comparison also rejects values that are not finite.
             if (!(std::abs(kept - value) <= largest_half_loss * std::hypot(value, 0.1 * mean))) return false;
         }
     }

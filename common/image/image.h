@@ -1,4 +1,4 @@
-// Images with named channels, and the files they live in.
+// Images with named channels, and image files.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace common {
 
-/// Row by row from the top left pixel, the channels of a pixel side by side.
+/// Pixels row by row from the top left one, the channels of a pixel side by side.
 struct Image {
     int width = 0, height = 0;
     std::vector<std::string> channels;
@@ -27,53 +27,55 @@ struct Image {
         return values[pixel * channels.size() + channel];
     }
 
-    /// Where a channel of this name is, if there is one.
+    /// Returns the index of the channel with this name, if there is one.
     [[nodiscard]] std::optional<std::size_t> find_channel(std::string_view name) const;
 };
 
 /// Text attributes of an image file: how the image was made.
 using ImageNotes = std::map<std::string, std::string>;
 
-/// How exactly an image file keeps its values.
+/// The precision of the values in an image file.
 enum class Precision {
-    half,   ///< 11 significant bits: pictures; single where that takes more of a value than largest_half_loss
-    single  ///< 24: what other numbers are computed from
+    half,   ///< 11 significant bits, for pictures; single where half would lose more than largest_half_loss
+            ///< of a value
+    single  ///< 24 significant bits, for images from which other numbers are computed
 };
 
-/// Of a value v, as a part of sqrt(v^2 + 0.01 m^2), m being the mean of its channel's magnitudes: the
-/// relative error as common/difference has it. What is not out of the half floats' range loses less.
+/// The largest loss of a value v as half, relative to sqrt(v^2 + 0.01 m^2), where m is the mean magnitude of
+/// its channel: the relative error of common/difference. Values within the range of half floats lose less.
 inline constexpr double largest_half_loss = 0x1p-11;
 
-/// Whether no value of the image loses more than that as a half float, be it too small or too large.
+/// Returns whether no value of the image, too small or too large, loses more than that as a half float.
 [[nodiscard]] bool fits_in_halves(const Image& image);
 
-/// Writes OpenEXR, ZIP compressed, under a temporary name that is then moved to `file`: there is never half a
-/// file. Throws InputError where it cannot be written.
+/// Writes a ZIP-compressed OpenEXR file under a temporary name and renames it to `file`, which is thus never
+/// incomplete. Throws InputError if it cannot be written.
 void write_exr(const std::filesystem::path& file, const Image& image, const ImageNotes& notes,
                Precision precision = Precision::half);
 
-/// The note of a PNG that was written here: what it shows. Files without it are somebody else's.
+/// The note in a PNG written by this program that says what it shows. Files without it come from elsewhere.
 inline constexpr const char* shown_note = "shlmbench:shows";
-inline constexpr const char* picture_of_light = "light";    ///< scaled and rolled off
-inline constexpr const char* picture_of_errors = "errors";  ///< or whatever else, by colours of its own
+inline constexpr const char* picture_of_light = "light";    ///< scaled, and rolled off towards white
+inline constexpr const char* picture_of_errors = "errors";  ///< or other values, in colours of their own
 
 /// Writes the first three channels, linear, as an sRGB PNG; values are scaled by `exposure` and rolled off
-/// towards white. Same safety and error as write_exr.
+/// towards white. Replaces `file` and throws as write_exr() does.
 void write_png(const std::filesystem::path& file, const Image& image, float exposure);
 
-/// An sRGB pixel as it is shown.
+/// An sRGB pixel of 8 bits per channel.
 using DisplayColor = std::array<std::uint8_t, 3>;
 
-/// Writes the colours as they are, row by row from the top left pixel. Same safety and error as write_exr.
+/// Writes the colours unchanged, row by row from the top left pixel. Replaces `file` and throws as
+/// write_exr() does.
 void write_png(const std::filesystem::path& file, int width, int height,
                std::span<const DisplayColor> colors);
 
-/// Whether a file's values are floating-point numbers, linear in light, and no display colours. Throws
-/// InputError where it cannot be read.
+/// Returns whether a file's values are floating-point numbers, linear in light, and not display colours.
+/// Throws InputError if it cannot be read.
 [[nodiscard]] bool holds_linear_values(const std::filesystem::path& file);
 
-/// Where the pixels of a file lie in the picture that it is of: OpenEXR's data window, from the upper left
-/// corner of its display window. All other kinds of file fill it.
+/// The position of a file's pixels within its picture: OpenEXR's data window, relative to the upper left
+/// corner of its display window. In all other formats the pixels fill the picture.
 struct PictureWindow {
     int x = 0, y = 0;           ///< of the first pixel
     int width = 0, height = 0;  ///< of the pixels
@@ -82,16 +84,16 @@ struct PictureWindow {
     [[nodiscard]] bool operator==(const PictureWindow&) const = default;
 };
 
-/// Throws InputError where the file cannot be read.
+/// Returns the window of a file. Throws InputError if it cannot be read.
 [[nodiscard]] PictureWindow read_window(const std::filesystem::path& file);
 
-/// Reads any image file as float. Throws InputError where it cannot be read.
+/// Reads any image file as float. Throws InputError if it cannot be read.
 [[nodiscard]] Image read_image(const std::filesystem::path& file);
 
-/// The text attributes of an image file. Throws InputError where it cannot be read.
+/// Returns the text attributes of an image file. Throws InputError if it cannot be read.
 [[nodiscard]] ImageNotes read_notes(const std::filesystem::path& file);
 
-/// Scale that brings the mean of the logarithm of brightness, over pixels that are not black, to a middle
+/// Returns the scale that maps the mean logarithm of brightness, over pixels that are not black, to a middle
 /// grey.
 [[nodiscard]] float middle_grey_exposure(const Image& image);
 

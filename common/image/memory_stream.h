@@ -11,7 +11,7 @@
 
 namespace common {
 
-/// Keeps what OpenEXR writes.
+/// Stores what OpenEXR writes.
 class MemoryStream : public Imf::OStream {
   public:
     explicit MemoryStream(const char* name) : Imf::OStream(name) {}

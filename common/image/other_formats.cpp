@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside the program, where it was built, or where it was installed.
+/// Loads the module from beside the program, where it was built, or where it was installed.
 void* load_module() {
     std::error_code unknown;
     const fs::path beside = fs::read_symlink("/proc/self/exe", unknown).parent_path();
@@ -21,7 +21,7 @@ void* load_module() {
         if (void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return module;
         trouble = dlerror();
     }
-    // Wherever the program's own libraries are looked for.
+    // Searches where the program's own libraries are found.
     if (void* const module = dlopen(SHLMBENCH_IMAGE_MODULE, RTLD_NOW | RTLD_LOCAL)) return module;
     throw std::runtime_error(
         fmt::format("it is neither OpenEXR nor PNG of 8 bits, and OpenImageIO is not there for it{}{}",
@@ -31,7 +31,7 @@ void* load_module() {
 }  // namespace
 
 std::unique_ptr<ImageReader> open_other_format(const fs::path& file) {
-    // Never unloaded: readers are its code.
+    // Never unloaded, as readers run its code.
     static void* const module = load_module();
     const auto open = reinterpret_cast<OpenOtherFormat*>(dlsym(module, open_other_format_symbol));
     if (!open) throw std::runtime_error(dlerror());

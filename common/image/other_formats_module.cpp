@@ -1,4 +1,4 @@
-// Image files of all other kinds, by OpenImageIO: a module of its own (open_other_format).
+// All other image formats, by OpenImageIO: a module of its own (open_other_format).
 #include <OpenImageIO/imageio.h>
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// PNG files, written and read.
+// Writes and reads PNG files.
 #include <fmt/format.h>
 #include <png.h>
 
@@ -22,7 +22,7 @@ float srgb_encoded(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
 
-/// Leaves dark values alone and takes 4 times white to white (Reinhard et al. 2002, eq. 4).
+/// Compresses bright values: keeps dark ones and maps 4 times white to white (Reinhard et al. 2002, eq. 4).
 float rolled_off(float value) {
     constexpr float white = 4;
     value = std::max(value, 0.0f);
@@ -31,8 +31,8 @@ float rolled_off(float value) {
 
 using Bytes = std::vector<std::byte>;
 
-// libpng is C: it reports an error by a jump to where setjmp was called last, past all destructors between.
-// What is made between the two calls is therefore made by the caller.
+// libpng reports an error by longjmp to the last setjmp, which skips all destructors between. So the caller
+// creates the objects that are used between the two calls.
 
 void keep_message(png_structp png, png_const_charp message) {
     *static_cast<std::string*>(png_get_error_ptr(png)) = message;
@@ -47,7 +47,7 @@ void append(png_structp png, png_bytep bytes, std::size_t count) {
     file.insert(file.end(), first, first + count);
 }
 
-/// False where it failed; `rows` is one pointer a row.
+/// Returns false if it failed; `rows` has one pointer per row.
 bool encode(png_structp png, png_infop info, int width, int height, png_textp note, png_bytepp rows) {
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
@@ -69,7 +69,7 @@ void write_colors(const fs::path& file, int width, int height, std::span<const D
     note.text = shows.data();
     note.text_length = shows.size();
     std::vector<png_bytep> rows;
-    for (int y = 0; y < height; ++y)  // libpng knows no const
+    for (int y = 0; y < height; ++y)  // libpng takes no const pointers
         rows.push_back(const_cast<png_bytep>(
             colors[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)].data()));
 
@@ -84,7 +84,7 @@ void write_colors(const fs::path& file, int width, int height, std::span<const D
     write_whole_file(file, encoded);
 }
 
-/// An open file and what libpng knows of it.
+/// An open file and libpng's state for it.
 struct PngFile {
     explicit PngFile(const fs::path& file) : stream(std::fopen(file.c_str(), "rb")) {}
     ~PngFile() {
@@ -136,7 +136,7 @@ class PngReader : public ImageReader {
 
     std::vector<float> read_values() override {
         const std::size_t row = header().channels.size() * static_cast<std::size_t>(header().window.width);
-        constexpr double most_packed = 2e3;  // deflate makes a thousandth at most
+        constexpr double most_packed = 2e3;  // deflate compresses to a thousandth at most
         check_can_hold(file_bytes_, static_cast<double>(row) * header().window.height, most_packed);
         std::vector<png_byte> bytes(row * static_cast<std::size_t>(header().window.height));
         std::vector<png_bytep> rows;

@@ -10,7 +10,7 @@
 namespace common {
 namespace {
 
-/// FLANN takes a matrix of floats that it does not change.
+/// FLANN takes a matrix of mutable floats, but does not change it.
 flann::Matrix<float> as_matrix(std::span<const Vec3> points) {
     return {const_cast<float*>(&points.front().x), points.size(), 3};
 }

@@ -16,8 +16,8 @@ inline constexpr std::size_t max_flann_points = 0x7fffffff;
 /// KDTreeSingleIndex: built once over all points, exact.
 class FlannIndex {
   public:
-    /// `points` must outlive the index and be finite: FLANN does not end on NaN. Throws InputError for more
-    /// than max_flann_points.
+    /// `points` must outlive the index and be finite, as FLANN does not terminate on NaN. Throws InputError
+    /// for more than max_flann_points.
     explicit FlannIndex(std::span<const Vec3> points);
 
     template <PointCollector Collector, class Accept>
@@ -25,23 +25,25 @@ class FlannIndex {
         if (tree_) flann_search(*tree_, query, collector, accept);
     }
 
-    /// Measured at the allocator: FLANN's own usedMemory() leaves out more than half and overflows at 2 GiB.
+    /// Bytes measured at the allocator: FLANN's own usedMemory() leaves out more than half and overflows at 2
+    /// GiB.
     [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
   private:
-    std::unique_ptr<FlannTree> tree_;  ///< none where there are no points
+    std::unique_ptr<FlannTree> tree_;  ///< null if there are no points
     std::size_t bytes_ = 0;
 };
 
-/// KDTreeIndex with one tree: grows point by point (FLANN's addPoints), rebuilt whenever it has doubled.
+/// KDTreeIndex with one tree. It grows point by point (FLANN's addPoints), and is rebuilt whenever it has
+/// doubled.
 ///
-/// Its search is not exact in three dimensions: FLANN bounds the distance to a cell by the sum over all
-/// planes on the way, which is too much where two of them cut the same axis, and so leaves some cells out.
-/// Nor is it repeatable: FLANN shuffles the points by std::random_device whenever it builds.
+/// Its search is not exact in three dimensions. FLANN bounds the distance to a cell by the sum over all
+/// planes on the way. This is too large if two of them cut the same axis, so that some cells are skipped. Nor
+/// is it repeatable: FLANN shuffles the points with std::random_device at every build.
 class FlannIncrementalIndex {
   public:
-    /// Inserts `points`, which take the next indices. They must stay where they are while the index lives,
-    /// and be finite.
+    /// Inserts `points`, which take the next indices. They must be finite and keep their addresses while the
+    /// index lives.
     void add(std::span<const Vec3> points);
 
     template <PointCollector Collector, class Accept>

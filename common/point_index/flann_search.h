@@ -1,4 +1,4 @@
-// One search in a FLANN tree, with the candidates going straight to a collector.
+// A search in a FLANN tree that passes candidates directly to a collector.
 #pragma once
 
 #include <flann/algorithms/dist.h>
@@ -15,7 +15,7 @@ namespace common {
 using FlannDistance = flann::L2_3D<float>;
 using FlannTree = flann::NNIndex<FlannDistance>;
 
-/// FLANN's callback interface around a collector and a predicate.
+/// Adapts a collector and a predicate to FLANN's callback interface.
 template <PointCollector Collector, class Accept>
 class FlannResultSet final : public flann::ResultSet<float> {
   public:
@@ -24,13 +24,13 @@ class FlannResultSet final : public flann::ResultSet<float> {
     [[nodiscard]] bool full() const override { return collector_.full(); }
 
     void addPoint(float distance_sq, std::size_t index) override {
-        // FLANN looks at the reach once per leaf, so most candidates of a leaf come too late.
+        // FLANN reads the reach once per leaf, so most candidates of a leaf are beyond it by now.
         if (distance_sq <= collector_.reach_sq() && accept_(static_cast<std::uint32_t>(index)))
             collector_.offer(distance_sq, static_cast<std::uint32_t>(index));
     }
 
-    /// FLANN drops what is not strictly nearer; equally near points must come through for the lower index to
-    /// win.
+    /// FLANN drops points that are not strictly nearer. Equally near points must pass, so that the lower
+    /// index wins.
     [[nodiscard]] float worstDist() const override {
         return std::nextafter(collector_.reach_sq(), std::numeric_limits<float>::infinity());
     }
@@ -44,8 +44,8 @@ template <PointCollector Collector, class Accept>
 void flann_search(const FlannTree& tree, const Vec3& query, Collector& collector, Accept accept) {
     FlannResultSet<Collector, Accept> results(collector, accept);
     flann::SearchParams parameters(flann::FLANN_CHECKS_UNLIMITED);
-    // FLANN adds up the distance to a cell with rounding errors; the slack keeps it from skipping a cell by
-    // one of them.
+    // FLANN sums the distance to a cell with rounding errors. This slack keeps it from skipping a cell
+    // because of one.
     parameters.eps = -1e-5f;
     tree.findNeighbors(results, &query.x, parameters);
 }

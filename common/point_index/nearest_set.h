@@ -1,4 +1,4 @@
-// What a search hands its points to: the k nearest, or all within a radius.
+// Collectors of the points that a search finds: the k nearest, or all within a radius.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,11 @@ struct Neighbour {
     float distance_sq;
     std::uint32_t index;
 
-    /// Nearer first; of equally near points the one with the lower index, so that every exact search finds
-    /// the same set.
+    /// Orders by distance, then by index, so that every exact search finds the same set.
     friend auto operator<=>(const Neighbour&, const Neighbour&) = default;
 };
 
-/// Keeps the `storage.size()` nearest points strictly inside a radius. A max-heap in the caller's storage.
+/// Keeps the `storage.size()` nearest points strictly inside a radius, in a max-heap in the caller's storage.
 class NearestSet {
   public:
     NearestSet(std::span<Neighbour> storage, float radius_sq) : storage_(storage), radius_sq_(radius_sq) {}
@@ -38,11 +37,11 @@ class NearestSet {
     /// No point farther than this can enter; one at exactly this distance can, if its index is lower.
     [[nodiscard]] float reach_sq() const { return full() ? storage_.front().distance_sq : radius_sq_; }
 
-    /// What has been found, in no particular order; where full, the farthest comes first.
+    /// Returns the points found so far, in no particular order; if full, the farthest comes first.
     [[nodiscard]] std::span<const Neighbour> found() const { return storage_.first(count_); }
 
   private:
-    /// One walk from the root down, where pop and push would be two.
+    /// Walks down from the root once, where pop and push would walk twice.
     void replace_farthest(const Neighbour& candidate) {
         std::size_t hole = 0;
         for (std::size_t child; (child = 2 * hole + 1) < count_; hole = child) {
@@ -76,7 +75,7 @@ class AllWithin {
     Use use_;
 };
 
-/// Where a search takes its points; it leaves out what lies beyond the reach, which may shrink as it goes.
+/// The receiver of a search's points. The search skips points beyond the reach, which may shrink meanwhile.
 template <class C>
 concept PointCollector = requires(C& collector, float distance_sq, std::uint32_t index) {
     collector.offer(distance_sq, index);
@@ -86,7 +85,8 @@ concept PointCollector = requires(C& collector, float distance_sq, std::uint32_t
 
 static_assert(PointCollector<NearestSet>);
 
-/// Squared distance as every index computes it, so that equal distances are equal to the last bit.
+/// Returns the squared distance as every index computes it, so that equal distances are equal to the last
+/// bit.
 template <class A, class B>
 float distance_sq(const A& a, const B& b) {
     const float x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];

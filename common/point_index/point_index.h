@@ -1,4 +1,4 @@
-// What an index over points must do, and the plainest one that does it.
+// The concept of an index over points, and its simplest model.
 #pragma once
 
 #include <concepts>
@@ -11,15 +11,15 @@ namespace common {
 
 inline constexpr auto accept_all = [](std::uint32_t) { return true; };
 
-/// Offers to a PointCollector all points that could belong to it and that `accept(index)` admits. Points that
-/// are not admitted take nobody's place: the k nearest are the k nearest admitted.
+/// Offers to a PointCollector all points that could belong to it and that `accept(index)` admits. Other
+/// points take no place: the k nearest are the k nearest of those admitted.
 template <class I>
 concept PointIndex = requires(const I& index, const Vec3& query, NearestSet& nearest) {
     { index.search(query, nearest, accept_all) } -> std::same_as<void>;
     { index.bytes() } -> std::same_as<std::size_t>;
 };
 
-/// Looks at every point. The oracle of the other indices' tests.
+/// Tests every point. The reference in the tests of the other indices.
 class BruteForceIndex {
   public:
     explicit BruteForceIndex(std::span<const Vec3> points) : points_(points) {}

@@ -11,7 +11,8 @@
 namespace common::reference {
 namespace {
 
-/// Which of the parts that have these sums a number in [0, 1] falls into, and how far into it.
+/// The part, among those with these cumulative sums, that a number in [0, 1] falls into, and the position
+/// within it.
 struct Part {
     std::size_t number;
     double within;
@@ -22,7 +23,7 @@ Part part_at(std::span<const double> sums, double uniform) {
     const auto found = std::upper_bound(sums.begin(), sums.end(), target);
     auto number = std::min(static_cast<std::size_t>(found - sums.begin()), sums.size() - 1);
     const auto before = [&](std::size_t i) { return i == 0 ? 0.0 : sums[i - 1]; };
-    while (number > 0 && sums[number] == before(number)) --number;  // rounding: never one of none
+    while (number > 0 && sums[number] == before(number)) --number;  // never choose a part of weight 0
     return {number, std::clamp((target - before(number)) / (sums[number] - before(number)), 0.0, 1.0)};
 }
 
@@ -69,7 +70,7 @@ int cells_across(const Scene& scene, std::uint32_t triangle, int most) {
 }
 
 std::vector<double> emission_grid(const Scene& scene, std::uint32_t triangle, int across) {
-    constexpr int looks_across = 4;  // at each cell
+    constexpr int looks_across = 4;  // samples per cell
     std::vector<double> cell;
     for (int row = 0; row < across; ++row)
         for (int column = 0; column < across; ++column) {

@@ -1,4 +1,4 @@
-// Which places of a textured light to look at.
+// Importance sampling of the places on a textured light.
 #pragma once
 
 #include <array>
@@ -8,30 +8,32 @@
 
 namespace common::reference {
 
-/// A grid over the unit square whose cells are chosen in proportion to what they emit, and the same again
-/// within them by how far a number goes beyond its share: strata of the square stay strata.
+/// Importance sampling of a grid over the unit square: cells in proportion to their emission, and uniform
+/// within a cell. It inverts the cumulative distribution by row and column, so that strata of the square stay
+/// strata.
 class BrightPlaces {
   public:
-    /// `cell`: `across` rows of as many, what each emits. At least one must emit.
+    /// `cell` has the emission of each cell, in `across` rows of `across` cells. At least one must emit.
     BrightPlaces(int across, std::vector<double> cell);
 
-    /// The place for a uniform point of the square, in the square.
+    /// Maps a uniform point of the square to the sampled place in the square.
     [[nodiscard]] std::array<double, 2> place(const std::array<double, 2>& uniform) const;
 
-    /// Density of `place` over that of uniform places.
+    /// Returns the density of `place` relative to that of uniform sampling.
     [[nodiscard]] double density(const std::array<double, 2>& place) const;
 
   private:
     int across_;
-    std::vector<double> in_row_;   ///< sums up to and with each cell of its row
-    std::vector<double> of_rows_;  ///< sums up to and with each row
+    std::vector<double> in_row_;   ///< cumulative sums within each row
+    std::vector<double> of_rows_;  ///< cumulative sums of rows
 };
 
-/// What each cell of a triangle emits, holes included, W/(m^2 sr), mean over the channels, by a look at some
-/// of its places. The square lies on the triangle as place_on says.
+/// Returns the emitted radiance of each cell of a triangle, holes counted as 0, W/(m^2 sr), mean over the
+/// channels. It is estimated at a few places of the cell. place_on() maps the square to the triangle.
 [[nodiscard]] std::vector<double> emission_grid(const Scene& scene, std::uint32_t triangle, int across);
 
-/// Cells of about a texel of the triangle's emissive texture, from 1 to `most` across.
+/// Returns how many cells across, from 1 to `most`, make a cell about a texel of the triangle's emissive
+/// texture.
 [[nodiscard]] int cells_across(const Scene& scene, std::uint32_t triangle, int most);
 
 }  // namespace common::reference

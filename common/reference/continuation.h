@@ -1,4 +1,4 @@
-// Taking up a reference where an earlier run left it.
+// Continues a reference from where an earlier run left it.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace common::reference {
 
-/// What two runs must share for one to go on from the other.
+/// What two runs must have in common for one to continue the other.
 struct ReferenceIdentity {
     std::string fingerprint;  ///< of the scene, see common/scene/fingerprint.h
     std::uint64_t seed;
@@ -15,14 +15,14 @@ struct ReferenceIdentity {
     std::string camera;  ///< describe()
 };
 
-/// Eye, forward, up and vertical field of view, to the last bit.
+/// Returns eye, forward, up and vertical field of view as text, exact to the last bit.
 [[nodiscard]] std::string describe(const Camera& camera);
 
-/// The notes that make a file one to go on from.
+/// Returns the notes of a file that a later run can continue.
 [[nodiscard]] ImageNotes continuation_notes(const ReferenceIdentity& identity, const ReferenceSums& sums);
 
-/// The sums in `file`; nothing where there is no such file. Throws InputError, saying what differs, where it
-/// is not a reference or one of another run.
+/// Returns the sums in `file`; nothing if there is no such file. Throws InputError, saying what differs, if
+/// it is not a reference or belongs to another run.
 [[nodiscard]] std::optional<ReferenceSums> sums_to_go_on_from(const std::filesystem::path& file,
                                                               const ReferenceIdentity& identity);
 

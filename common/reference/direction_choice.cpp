@@ -12,7 +12,7 @@ using std::numbers::pi;
 
 constexpr double aimed_share = 0.5;
 
-/// The cone in which a sphere is seen.
+/// The cone that a sphere subtends.
 struct Cone {
     V3d axis;              ///< unit
     double one_minus_cos;  ///< of its half angle; 0 where the point lies in the sphere
@@ -29,7 +29,7 @@ double cosine_density(const Receiver& receiver, const Vec3& towards) {
     return std::max(0.0, V3d(receiver.normal).dot(V3d(towards))) / pi;
 }
 
-/// Uniform over the cone (Archimedes: areas on the sphere go by height).
+/// Returns a direction uniform over the cone (Archimedes: area on the sphere is proportional to height).
 Vec3 direction_in(const Cone& cone, const std::array<double, 2>& square) {
     const double z = 1 - square[0] * cone.one_minus_cos, r = std::sqrt(std::max(0.0, 1 - z * z));
     const Tangents tangents(cone.axis);
@@ -58,7 +58,7 @@ Vec3 DirectionChoice::choose(const std::array<double, 2>& square) const {
     if (bounds_.empty()) return cosine_direction(receiver_.normal, square);
     if (square[0] >= aimed_share)
         return cosine_direction(receiver_.normal, {(square[0] - aimed_share) / (1 - aimed_share), square[1]});
-    // The first number chooses the thing as well; what is left of it is as uniform as it was.
+    // The first number also chooses the object; its remainder is again uniform.
     const double scaled = square[0] / aimed_share * static_cast<double>(bounds_.size());
     const std::size_t chosen = std::min(static_cast<std::size_t>(scaled), bounds_.size() - 1);
     const std::array<double, 2> rest = {scaled - static_cast<double>(chosen), square[1]};
@@ -69,7 +69,7 @@ Vec3 DirectionChoice::choose(const std::array<double, 2>& square) const {
 double DirectionChoice::density(const Vec3& towards) const {
     const double by_cosine = cosine_density(receiver_, towards);
     if (bounds_.empty()) return by_cosine;
-    const V3d unit = V3d(towards).normalized();  // floats are not: a small cone would miss its own directions
+    const V3d unit = V3d(towards).normalized();  // in float, a small cone would miss its own directions
     double aimed = 0;
     for (const SpecularBounds& bounds : bounds_) {
         const Cone cone(bounds, V3d(receiver_.origin));

@@ -1,4 +1,4 @@
-// Directions over a hemisphere for the reference, by other constructions than the photon tracer's.
+// Directions over a hemisphere for the reference, constructed differently from the photon tracer's.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace common::reference {
 
-/// Point of the unit disc for one of the unit square, areas in proportion (Shirley and Chiu, "A Low
+/// Maps a point of the unit square to the unit disc, with areas in proportion (Shirley and Chiu, "A Low
 /// Distortion Map Between Disk and Square", 1997).
 [[nodiscard]] inline std::array<double, 2> concentric_disc(const std::array<double, 2>& square) {
     constexpr double quarter_pi = std::numbers::pi / 4;
@@ -20,11 +20,11 @@ namespace common::reference {
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// Two unit vectors across a unit vector and each other.
+/// Two unit vectors perpendicular to a unit vector and to each other.
 struct Tangents {
     Imath::V3d first, second;
 
-    /// The coordinate axis that lies flattest to the plane gives the first.
+    /// Derives the first from the coordinate axis that is closest to the tangent plane.
     explicit Tangents(const Imath::V3d& normal) {
         const Imath::V3d length(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
         Imath::V3d helper(0, 0, 0);
@@ -34,8 +34,8 @@ struct Tangents {
     }
 };
 
-/// Unit direction around the unit vector `axis` with density cos / pi: a point of the disc lifted to the
-/// hemisphere (Malley's method).
+/// Returns a unit direction around the unit vector `axis` with density cos / pi: a point of the disc lifted
+/// to the hemisphere (Malley's method).
 [[nodiscard]] inline Vec3 cosine_direction(const Vec3& axis, const std::array<double, 2>& square) {
     using Imath::V3d;
     const auto [x, y] = concentric_disc(square);

@@ -5,19 +5,19 @@ namespace {
 
 using Imath::V3d;
 
-/// Solid angle of a triangle with corners at these vectors (Van Oosterom and Strackee, "The Solid Angle of a
-/// Plane Triangle", 1983).
+/// Returns the solid angle of a triangle with corners at these vectors (Van Oosterom and Strackee, "The Solid
+/// Angle of a Plane Triangle", 1983).
 double solid_angle(const V3d& a, const V3d& b, const V3d& c) {
     const double la = a.length(), lb = b.length(), lc = c.length();
     const double volume = std::abs(a.dot(b.cross(c)));
     return 2 * std::atan2(volume, la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
-/// Solid angle that the light covers, never 0: from far away by its centre alone.
+/// Returns the solid angle of the light, never 0; from far away approximated by its centre.
 double covered(const AreaLight& light, const V3d& origin, double distance) {
     const double facing = std::abs(light.normal.dot(light.center - origin));
     if (distance > 4 * light.radius) return light.area * facing / (distance * distance * distance);
-    constexpr double least_share = 1e-3;  // of a light that faces the receiver
+    constexpr double least_share = 1e-3;  // relative to a light that faces the receiver
     const double farthest = distance + light.radius;
     return std::max(solid_angle(light.corner[0] - origin, light.corner[1] - origin, light.corner[2] - origin),
                     least_share * light.area / (farthest * farthest));

@@ -1,4 +1,4 @@
-// How much light to expect before looking whether anything is in the way.
+// The irradiance expected from a light before its visibility is known.
 #pragma once
 
 #include "common/reference/light.h"
@@ -6,8 +6,8 @@
 
 namespace common::reference {
 
-/// A guess at the irradiance that the light brings to the receiver if nothing is between them, W/m^2, mean
-/// over the channels: 0 only where it brings none, or is not to be chosen (area_light).
+/// Returns an estimate of the irradiance from the light at the receiver if nothing is between them, W/m^2,
+/// mean over the channels. It is 0 only if the light contributes nothing, or must not be chosen (area_light).
 [[nodiscard]] double expected_irradiance(const Light& light, const Receiver& receiver);
 
 }  // namespace common::reference

@@ -11,7 +11,7 @@ namespace {
 using Imath::V3d;
 using std::numbers::pi;
 
-/// What a triangle emits, and where it is to be looked at.
+/// The mean radiance of a triangle, and how its places are sampled.
 struct Emission {
     double mean_radiance;
     std::shared_ptr<const BrightPlaces> places;
@@ -28,7 +28,7 @@ Emission emission_of(const Scene& scene, std::uint32_t triangle, int most_cells_
                                    : std::min(across_holes, most_cells_across);
     std::vector<double> cells = emission_grid(scene, triangle, across);
     const double mean = std::accumulate(cells.begin(), cells.end(), 0.0) / static_cast<double>(cells.size());
-    constexpr double least_share = 0.01;  // the looks may have missed what is bright
+    constexpr double least_share = 0.01;  // the grid may have missed what is bright
     if (!(mean > 0)) return {coverage.least == coverage.most ? 0 : least_share * everywhere, nullptr};
     for (double& cell : cells) cell = std::max(cell, least_share * mean);
     return {mean, std::make_shared<const BrightPlaces>(across, std::move(cells))};

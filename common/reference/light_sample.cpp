@@ -67,7 +67,7 @@ double density_of(const AreaLight& light, const SurfaceId& place, const Vec3& to
     if (!(cosine > 0)) return 0;
     const double uniform = distance_sq / (light.area * cosine);
     if (!light.places) return uniform;
-    // The square is folded: its two halves bring places to the triangle alike.
+    // The square is folded: a place of the triangle belongs to one point in each half.
     const double u = static_cast<double>(place.u), v = static_cast<double>(place.v);
     return uniform * 0.5 * (light.places->density({u, v}) + light.places->density({1 - u, 1 - v}));
 }

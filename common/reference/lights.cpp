@@ -10,7 +10,7 @@ namespace common::reference {
 
 namespace {
 
-/// Cells across of each textured light's grid: fewer where there are many, for the memory.
+/// Returns the limit of cells across for each textured light's grid, lower for many lights to save memory.
 int most_cells_across(const Scene& scene) {
     double textured = 1;
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t)

@@ -10,23 +10,23 @@
 
 namespace common::reference {
 
-/// The sky is not among them: rays that leave the scene find it.
+/// All lights that can be sampled. The sky is not among them: rays that leave the scene find it.
 class Lights {
   public:
     explicit Lights(const Scene& scene);
 
     [[nodiscard]] std::span<const Light> light() const { return light_; }
 
-    /// The number of the light that this triangle is, or -1.
+    /// Returns the index of the light that this triangle is, or -1.
     [[nodiscard]] std::int32_t of_triangle(std::uint32_t triangle) const { return of_triangle_[triangle]; }
 
-    /// Where to look for lights by way of mirrors and glass.
+    /// Bounds of the mirrors and glass through which light can arrive.
     [[nodiscard]] std::span<const SpecularBounds> specular() const { return specular_; }
 
-    /// Whether what lies between a light and a point may let some of it through.
+    /// Returns whether surfaces between a light and a point may transmit some of its light.
     [[nodiscard]] bool see_through() const { return see_through_; }
 
-    /// Sum of powers up to and with each light, W.
+    /// Cumulative power up to and including each light, W.
     [[nodiscard]] std::span<const double> cumulative_power() const { return cumulative_power_; }
 
   private:
@@ -37,16 +37,16 @@ class Lights {
     bool see_through_;
 };
 
-/// More lights than this are chosen by their power alone.
+/// If there are more lights than this, they are chosen by their power alone.
 inline constexpr std::size_t most_weighed_lights = 64;
 
-/// The lights as one receiver sees them, which `lights` must outlive: a few are chosen in proportion to the
+/// Chooses a light for one receiver; `lights` must outlive it. Few lights are chosen in proportion to the
 /// irradiance expected of each, many in proportion to their power.
 class LightChoice {
   public:
     LightChoice(const Lights& lights, const Receiver& receiver);
 
-    /// A light for a uniform number in (0, 1); -1 where none shines here.
+    /// Returns a light for a uniform number in (0, 1); -1 if none reaches the receiver.
     [[nodiscard]] std::int32_t choose(double uniform) const;
 
     [[nodiscard]] double probability(std::int32_t light) const;

@@ -14,7 +14,7 @@ namespace {
 using Imath::V3d;
 using std::numbers::pi;
 
-/// Surfaces that a path meets before chance may end it.
+/// Surfaces on a path before Russian roulette may end it.
 constexpr int sure_surfaces = 4;
 
 V3d doubles(const Rgb& c) {
@@ -25,7 +25,7 @@ double largest(const V3d& v) {
     return std::max({v.x, v.y, v.z});
 }
 
-/// A direction that was chosen at a diffuse surface, and what it takes to weigh a light that it meets.
+/// A direction chosen at a diffuse surface, and what the weight of a light that it hits depends on.
 struct ChosenDirection {
     Vec3 origin;
     Vec3 towards;    ///< unit
@@ -82,18 +82,18 @@ class Path {
         add(doubles(sample->irradiance) * arriving * (weight / probability));
     }
 
-    /// Of the sample's light, past all that lies between.
+    /// Returns the fraction of the sample's light that occluders transmit.
     V3d part_arriving(const Receiver& receiver, const LightSample& sample) const {
         if (lights_.see_through())
             return part_that_arrives(rays_, receiver.origin, sample.towards, sample.reach);
         return rays_.occluded(receiver.origin, sample.towards, sample.reach) ? V3d(0, 0, 0) : V3d(1, 1, 1);
     }
 
-    /// Goes along `chosen`, by way of holes, mirrors and glass, collecting what is emitted, to the next
-    /// diffuse surface.
+    /// Follows `chosen` through holes, mirrors and glass to the next diffuse surface, and adds the emission
+    /// on the way.
     std::optional<Receiver> follow(const ChosenDirection& chosen, const LightChoice& choice) {
         Vec3 origin = chosen.origin, towards = chosen.towards;
-        bool straight = true;  // as next event estimation goes
+        bool straight = true;  // whether next event estimation finds the same path
         while (true) {
             const std::optional<SurfaceId> surface = rays_.nearest(origin, towards);
             if (!surface) {
@@ -128,13 +128,13 @@ class Path {
         }
     }
 
-    /// Of what is there in part only, chance decides.
+    /// Decides at random where coverage is partial.
     bool is_hole(const SurfaceId& surface) {
         const auto coverage = static_cast<double>(coverage_at(scene_, surface));
         return coverage < 1 && stream_.next() >= coverage;
     }
 
-    /// Share of what `chosen` meets that is not left to next event estimation, which finds it as well.
+    /// Returns the weight of what `chosen` hits; next event estimation, which finds it as well, has the rest.
     double weight_of_meeting(const SurfaceId& surface, const Vec3& position, const ChosenDirection& chosen,
                              const LightChoice& choice) const {
         const std::int32_t light = lights_.of_triangle(surface.triangle);
@@ -145,7 +145,7 @@ class Path {
         return chosen.density / (chosen.density + by_light);
     }
 
-    /// Radiance of the surface itself against the direction `towards`.
+    /// Returns the radiance that the surface emits against the direction `towards`.
     V3d emitted(const SurfaceId& surface, const Vec3& towards) const {
         const Material& material = scene_.material_of(surface.triangle);
         const bool front = towards.dot(scene_.geometric_normal[surface.triangle]) < 0;
@@ -153,8 +153,8 @@ class Path {
         return doubles(emitted_radiance_at(scene_, surface));
     }
 
-    /// Russian roulette on what the path still carries. The squared index of a medium is left out: it comes
-    /// off again where the path leaves the medium.
+    /// Russian roulette on the throughput. It ignores the squared index of a medium, which cancels when the
+    /// path leaves the medium.
     bool survives() {
         const double carried = largest(throughput_) / index_sq_;
         if (!(carried > 0)) return false;
@@ -171,8 +171,8 @@ class Path {
     const Lights& lights_;
     RandomStream& stream_;
     V3d sum_{0, 0, 0};
-    V3d throughput_{1, 1, 1};  ///< irradiance at the visible point over irradiance where the path is
-    double index_sq_ = 1;      ///< the part of `throughput_` that squared indices make up
+    V3d throughput_{1, 1, 1};  ///< irradiance at the visible point per irradiance at the end of the path
+    double index_sq_ = 1;      ///< the factor of `throughput_` that is due to squared indices
     int most_surfaces_;
     int surfaces_ = 1;
 };

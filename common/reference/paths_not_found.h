@@ -1,4 +1,4 @@
-// What the reference leaves out of a scene's light.
+// Light in a scene that the reference does not find.
 #pragma once
 
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace common::reference {
 
-/// Light that no path finds, in words: a light without size cannot be met by chance, and no straight line
-/// leads to it by a mirror or glass, but for one through a thin sheet. Empty where every path is found.
+/// Describes light that no path finds: chance cannot hit a light without size, and no straight line leads to
+/// it through a mirror or glass, except a thin sheet. Empty if every path is found.
 [[nodiscard]] std::string paths_not_found(const Scene& scene);
 
-/// The note of a reference's file that says so: the words, or "none".
+/// The note of a reference's file with that description, or "none".
 inline constexpr const char* paths_not_found_note = "shlmbench:paths_not_found";
 
-/// What a file's notes say is left out; empty where that is nothing, or nothing is said. Photons find that
-/// light: such a reference is no measure for a method that has it.
+/// Returns what a file's notes say is left out; empty if nothing is, or if they do not say. Photons find that
+/// light, so such a reference cannot judge a method that includes it.
 [[nodiscard]] std::string paths_not_found(const ImageNotes& notes);
 
 }  // namespace common::reference

@@ -1,5 +1,5 @@
-// Random numbers of the reference, which shares none with the photon tracer: an error of one would be seen by
-// the other.
+// Random numbers of the reference. They are independent of the photon tracer's, so that comparing the two
+// shows an error of either.
 #pragma once
 
 #include <Random123/threefry.h>
@@ -9,16 +9,16 @@
 
 namespace common::reference {
 
-/// The numbers of one sample of one pixel, one after the other: Threefry4x32-20 (Salmon et al., "Parallel
-/// Random Numbers: As Easy as 1, 2, 3", 2011), keyed by the seed and counted by pixel, pass, sample and block
-/// of four.
+/// The sequence of random numbers of one sample of one pixel: Threefry4x32-20 (Salmon et al., "Parallel
+/// Random Numbers: As Easy as 1, 2, 3", 2011). The key is the seed; the counter is the pixel, pass, sample
+/// and block of four numbers.
 class RandomStream {
   public:
     RandomStream(std::uint64_t seed, std::uint32_t pixel, std::uint32_t pass, std::uint32_t sample)
         : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32), 0, 0}},
           counter_{{pixel, pass, sample, 0}} {}
 
-    /// Uniform in (0, 1), never an end of it: a multiple of 2^-33.
+    /// Returns a uniform number in (0, 1), never 0 or 1: a multiple of 2^-33.
     double next() {
         if (used_ == 4) {
             bits_ = r123::Threefry4x32{}(counter_, key_);

@@ -1,4 +1,4 @@
-// A point that light arrives at, and how it sees lights without size.
+// A point that receives light, and its geometry towards lights without size.
 #pragma once
 
 #include "common/scene/scene.h"
@@ -6,21 +6,21 @@
 namespace common::reference {
 
 struct Receiver {
-    Vec3 origin;            ///< off the surface, on the side that gathers
-    Vec3 normal;            ///< unit: what the cosine of incidence is taken with
-    Vec3 geometric_normal;  ///< unit: light from behind it does not arrive
+    Vec3 origin;            ///< offset from the surface, on the side that receives light
+    Vec3 normal;            ///< unit: the cosine of incidence refers to it
+    Vec3 geometric_normal;  ///< unit: light from behind it does not count
 };
 
-/// Cosine of incidence of light from the unit direction `towards`; 0 where it comes from behind.
+/// Returns the cosine of incidence of light from the unit direction `towards`; 0 if it comes from behind.
 [[nodiscard]] inline double incident_cosine(const Receiver& receiver, const Imath::V3d& towards) {
     if (Imath::V3d(receiver.geometric_normal).dot(towards) <= 0) return 0;
     return std::max(0.0, Imath::V3d(receiver.normal).dot(towards));
 }
 
-/// A light without size as a receiver sees it.
+/// A light without size as seen from a receiver.
 struct PunctualView {
     Imath::V3d towards;              ///< unit
-    double cosine_over_distance_sq;  ///< irradiance over intensity; 0 where none arrives
+    double cosine_over_distance_sq;  ///< irradiance over intensity; 0 if no light arrives
 };
 
 [[nodiscard]] inline PunctualView view_of(const Vec3& position, const Receiver& receiver) {
@@ -31,11 +31,11 @@ struct PunctualView {
     return {towards, incident_cosine(receiver, towards) / (distance * distance)};
 }
 
-/// Factor of a spot's intensity in the unit direction `from_light`: the square of a linear ramp in the cosine
-/// (KHR_lights_punctual).
+/// Returns the factor of a spot's intensity in the unit direction `from_light`: the square of a linear ramp
+/// in the cosine (KHR_lights_punctual).
 [[nodiscard]] inline double falloff(const SpotLight& light, const Imath::V3d& from_light) {
     const double inner = light.cos_inner_angle, outer = light.cos_outer_angle;
-    if (light.is_narrow()) {  // by 1 - cosine, of which subtraction would leave few digits
+    if (light.is_narrow()) {  // in terms of 1 - cosine, to avoid cancellation
         const double versine = 0.5 * (Imath::V3d(light.axis).normalized() - from_light).length2();
         if (versine <= 1 - inner) return 1;
         if (versine >= 1 - outer) return 0;

@@ -38,7 +38,7 @@ ReferencePoint point_of(const VisibleSurface& seen, const std::array<RunningMean
     return point;
 }
 
-/// Places of the channels in `image`, in the order of channel_names().
+/// Returns the indices of the channels in `image`, in the order of channel_names().
 std::vector<std::size_t> find_channels(const std::filesystem::path& file, const Image& image) {
     std::vector<std::size_t> places;
     for (const std::string& name : channel_names()) {
@@ -51,7 +51,7 @@ std::vector<std::size_t> find_channels(const std::filesystem::path& file, const 
 }
 
 ReferencePoint read_point(const Image& image, std::size_t pixel, std::span<const std::size_t> places) {
-    std::size_t next = 3;  // radiance follows from the rest
+    std::size_t next = 3;  // skips R, G, B, which follow from the rest
     const auto number = [&] { return image.at(pixel, places[next++]); };
     const auto read = [&](auto& value) {
         for (int c = 0; c < 3; ++c) value[c] = number();

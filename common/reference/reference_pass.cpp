@@ -7,7 +7,7 @@ namespace {
 
 using Imath::V3d;
 
-/// Pixels between two questions whether to go on.
+/// Pixels between two calls of the progress function.
 constexpr std::size_t pixels_per_part = 1024;
 
 struct PixelPass {

@@ -1,4 +1,4 @@
-// The visible points of an image, sampled pass after pass.
+// Samples the visible points of an image, pass after pass.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace common::reference {
 
-/// What whole passes have given so far.
+/// The results of all complete passes so far.
 struct ReferenceSums {
     std::uint64_t passes = 0;                       ///< of samples_per_pass each
     std::uint64_t dropped = 0;                      ///< samples that were not finite and count as 0
@@ -21,19 +21,19 @@ struct ReferenceSums {
     explicit ReferenceSums(std::size_t pixels) : pixel(pixels) {}
 };
 
-/// Asked between parts of a pass with the number of pixels done; false gives the pass up.
+/// Called between parts of a pass with the number of pixels done; returns false to abandon the pass.
 using PassProgress = std::function<bool(std::size_t pixels_done)>;
 
-/// Adds pass number `sums.passes` of the run with this seed and returns true; or, given up, adds nothing and
-/// returns false. The sums depend on the scene, the points, the seed and the number of passes alone, not on
+/// Adds pass number `sums.passes` of the run with this seed and returns true. If abandoned, adds nothing and
+/// returns false. The sums depend only on the scene, the points, the seed and the number of passes, not on
 /// threads. Paths end at `most_surfaces`.
 bool add_pass(const RayScene& rays, const Lights& lights, std::span<const VisibleSurface> pixels,
               std::uint64_t seed, ReferenceSums& sums, const PassProgress& progress,
               int most_surfaces = max_surfaces);
 
-/// Square root of the mean, over points and channels, of variance / (R^2 + eps), where R is irradiance and
-/// eps a hundredth of the square of its mean: the relative error to be expected of a point, with dark points
-/// not asked for more than others. 0 where no light arrives.
+/// Returns the square root of the mean, over points and channels, of variance / (R^2 + eps), where R is
+/// irradiance and eps a hundredth of the square of its mean. This is the expected relative error of a point;
+/// eps keeps dark points from dominating. Returns 0 if no light arrives.
 [[nodiscard]] double relative_error(std::span<const VisibleSurface> pixels, const ReferenceSums& sums);
 
 }  // namespace common::reference

@@ -1,4 +1,4 @@
-// Mean of independent values that can be put away in floats and taken up again to the bit.
+// Mean of independent values that can be stored in floats and continued exactly.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace common::reference {
 /// A double of at most 48 significant bits, as the sum of two floats.
 struct FloatPair {
     float high = 0;
-    float low = 0;  ///< what rounding took from `high`
+    float low = 0;  ///< the rounding error of `high`
 
     [[nodiscard]] double value() const { return static_cast<double>(high) + static_cast<double>(low); }
 };
@@ -20,13 +20,14 @@ struct FloatPair {
 
 /// Mean of the values so far and the variance of that mean, by Welford's recurrence ("Note on a Method for
 /// Calculating Corrected Sums of Squares and Products", 1962) in double. After every step both are rounded to
-/// what a file of floats can hold, so that a run that was put away goes on as if it had never stopped.
+/// what a file of floats can hold. So a run that is stored and continued gives the same result as one without
+/// a stop.
 class RunningMean {
   public:
     RunningMean() = default;
     RunningMean(const FloatPair& mean, const FloatPair& variance) : mean_(mean), variance_(variance) {}
 
-    /// `count` values were added before this one.
+    /// Adds a value; `count` values were added before it.
     void add(double value, std::uint64_t count) {
         const auto before = static_cast<double>(count), after = before + 1;
         const double step = value - mean_.value();

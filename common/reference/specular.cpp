@@ -7,7 +7,7 @@ namespace {
 
 using Imath::V3d;
 
-/// A specular surface at one point, seen from the side that light leaves to.
+/// A specular surface at one point, as seen from the side that light leaves to.
 struct Boundary {
     V3d leaving;
     V3d normal;  ///< geometric, on the leaving side
@@ -19,15 +19,15 @@ struct Boundary {
 struct Candidate {
     V3d towards{0, 0, 0};
     bool across = false;  ///< arrives from the other side
-    double flux = 0;      ///< factor of radiance but for the squared indices: how likely to choose it
+    double flux = 0;      ///< factor of radiance without squared indices; weight for choosing it
 };
 
 V3d mirrored(const V3d& v, const V3d& axis) {
     return axis * (2 * v.dot(axis)) - v;
 }
 
-/// The direction on the other side of a boundary that belongs to `v`, which points away from it and into the
-/// half space of `axis`; nothing beyond the critical angle. `index_ratio`: the other side over this one.
+/// Returns the refracted direction on the other side of a boundary for `v`, which points away from it, into
+/// the half space of `axis`; nothing beyond the critical angle. `index_ratio`: the other side over this one.
 std::optional<V3d> bent(const V3d& v, const V3d& axis, double index_ratio) {
     const V3d tangential = (axis * v.dot(axis) - v) * (1 / index_ratio);
     const double left = 1 - tangential.length2();
@@ -35,7 +35,8 @@ std::optional<V3d> bent(const V3d& v, const V3d& axis, double index_ratio) {
     return (tangential - axis * std::sqrt(left)).normalized();
 }
 
-/// What light from `towards` on the side of `normal` keeps on that side; it turns about `axis`.
+/// Returns the fraction of light from `towards`, on the side of `normal`, that is reflected; it is deflected
+/// about `axis`.
 double kept(const Boundary& b, const V3d& towards, const V3d& normal, const V3d& axis, double index_ratio) {
     if (b.kind == SurfaceKind::thin_sheet) return reflected_by_sheet(towards.dot(axis), b.index_ratio);
     if (b.kind != SurfaceKind::dielectric) return 1;
@@ -44,8 +45,9 @@ double kept(const Boundary& b, const V3d& towards, const V3d& normal, const V3d&
     return reflected_fraction(towards.dot(axis), index_ratio);
 }
 
-// The ways for light to leave along one direction: reflected or transmitted, about the smooth normal or
-// about the geometric one where the smooth one would send it astray, or straight through a thin sheet.
+// The ways in which light leaves along one direction: reflected or transmitted about the smooth normal, the
+// same about the geometric normal where the smooth one sends it to the wrong side, or straight through a thin
+// sheet.
 
 Candidate reflected_about_smooth(const Boundary& b) {
     const V3d towards = mirrored(b.leaving, b.smooth);
@@ -81,7 +83,7 @@ Candidate transmitted_about_normal(const Boundary& b) {
     return candidate.towards.dot(b.smooth) < 0 ? Candidate{} : candidate;
 }
 
-/// Through a thin sheet. What it reflects goes by the smooth normal, unless that faces away.
+/// Straight through a thin sheet. Its reflectance uses the smooth normal, unless that faces away.
 Candidate unbent(const Boundary& b) {
     const V3d& axis = b.leaving.dot(b.smooth) > 0 ? b.smooth : b.normal;
     return {-b.leaving, true, 1 - reflected_by_sheet(b.leaving.dot(axis), b.index_ratio)};
@@ -109,7 +111,8 @@ double reflected_fraction(double cosine, double index_ratio) {
 }
 
 double reflected_by_sheet(double cosine, double index) {
-    // (1 - R)^2 (1 + R^2 + R^4 + ...) gets across: both boundaries, and both once more for each way back.
+    // The sheet transmits (1 - R)^2 (1 + R^2 + R^4 + ...): two boundaries, and two more reflections per way
+    // back.
     const double once = reflected_fraction(cosine, index);
     return 1 - (1 - once) / (1 + once);
 }

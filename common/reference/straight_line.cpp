@@ -43,7 +43,7 @@ V3d part_that_arrives(const RayScene& rays, Vec3 origin, Vec3 direction, float r
         if (!ends) continue;
         direction = end - origin;
         reach = 1;
-        if (direction.dot(first_direction) <= 0) return part;  // the end is within rounding of the surface
+        if (direction.dot(first_direction) <= 0) return part;  // the end lies on the surface, up to rounding
     }
     return V3d(0, 0, 0);
 }

@@ -8,10 +8,10 @@ namespace {
 constexpr std::uint32_t cells_across = 8;
 static_assert(cells_across * cells_across == samples_per_pass);
 
-/// Numbered after all samples, so that it shares no numbers with them.
+/// The number after all samples, so that it shares no random numbers with them.
 constexpr std::uint32_t pairing_stream = samples_per_pass;
 
-/// Every order equally likely (Fisher and Yates).
+/// Returns a random permutation, all equally likely (Fisher and Yates).
 std::array<std::uint8_t, samples_per_pass> shuffled(RandomStream& stream) {
     std::array<std::uint8_t, samples_per_pass> order;
     for (std::uint32_t i = 0; i < samples_per_pass; ++i) order[i] = static_cast<std::uint8_t>(i);

@@ -1,4 +1,4 @@
-// The first numbers of a pass's samples, spread evenly.
+// Stratified first random numbers of a pass's samples.
 #pragma once
 
 #include <array>
@@ -9,22 +9,22 @@ namespace common::reference {
 
 inline constexpr std::uint32_t samples_per_pass = 64;
 
-/// What a sample decides at the visible point itself.
+/// The random numbers that a sample uses at the visible point itself.
 struct FirstNumbers {
     std::array<double, 2> direction;  ///< in (0, 1), as all of these
     std::array<double, 2> on_light;
     double which_light;
 };
 
-/// Where the samples of one pass of one pixel start. Directions and places on lights are jittered in 8 x 8
-/// cells, the choice of a light in 64 intervals; which cell goes with which is a random pairing (McKay et
-/// al., "A Comparison of Three Methods for Selecting Values of Input Variables", 1979). Each sample alone is
+/// Stratifies the first numbers of the samples of one pass of one pixel. Directions and places on lights are
+/// jittered in 8 x 8 cells, the choice of a light in 64 intervals. Cells are paired at random (McKay et al.,
+/// "A Comparison of Three Methods for Selecting Values of Input Variables", 1979). Each sample alone is
 /// uniform, and passes are independent of each other.
 class PassStrata {
   public:
     PassStrata(std::uint64_t seed, std::uint32_t pixel, std::uint32_t pass);
 
-    /// Of sample number `sample` < samples_per_pass; the jitter comes from `stream`.
+    /// Returns the numbers of sample `sample` < samples_per_pass; the jitter comes from `stream`.
     [[nodiscard]] FirstNumbers numbers(std::uint32_t sample, RandomStream& stream) const;
 
   private:

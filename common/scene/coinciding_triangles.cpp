@@ -19,22 +19,22 @@ TriangleCorners corners_of(const Scene& scene, std::uint32_t triangle) {
     return {scene.position[a], scene.position[b], scene.position[c]};
 }
 
-// --- normals: only what has nearly the same, or the opposite, is compared
+// --- normals: only triangles with nearly the same or the opposite normal are compared
 
-/// Cells along a side of each of the cube's three pairs of faces. Odd: normals along an axis are in the
-/// middle of a cell.
+/// Cells along a side of each face of a cube map of normals, whose opposite faces are merged. Odd, so that
+/// normals along an axis lie in the middle of a cell.
 constexpr int cells_a_side = 17;
 constexpr std::size_t cell_count = 3 * cells_a_side * cells_a_side;
 
-/// Rounding tilts a narrow triangle. Those that it tilts by more, in radians, may be missed.
+/// The largest tilt of narrow triangles by rounding, in radians. Triangles with a larger tilt may be missed.
 constexpr float largest_tilt = 1.0f / 16;
 constexpr float same_plane_cosine = 1 - 2 * largest_tilt * largest_tilt;
 
-/// The cells of one pair of the cube's faces that a triangle's normal, or its opposite, may lie in.
+/// The cells of one pair of the cube's faces that may contain a triangle's normal or its opposite.
 struct CellRange {
     std::uint8_t first_u = 1, last_u = 0, first_v = 1, last_v = 0;
 };
-using NormalCells = std::array<CellRange, 3>;  ///< by the axis that the faces are perpendicular to
+using NormalCells = std::array<CellRange, 3>;  ///< indexed by the axis that the faces are perpendicular to
 
 std::uint8_t cell_along(float at) {
     const int cell = static_cast<int>(std::floor((at + 1) * (0.5f * cells_a_side)));
@@ -45,7 +45,7 @@ std::size_t cell_number(std::size_t axis, std::size_t u, std::size_t v) {
     return (axis * cells_a_side + u) * cells_a_side + v;
 }
 
-/// `normal` is unit, and right to within `tilt` radians.
+/// `normal` is unit, with an error of at most `tilt` radians.
 NormalCells cells_of(const Vec3& normal, float tilt) {
     NormalCells cells;
     for (int axis = 0; axis < 3; ++axis) {
@@ -68,7 +68,7 @@ void for_each_cell(const NormalCells& cells, Visit visit) {
     }
 }
 
-/// The first cell that both have; `cell_count` where there is none.
+/// Returns the first cell that both have; `cell_count` if there is none.
 std::size_t first_common_cell(const NormalCells& a, const NormalCells& b) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t u = std::max(a[axis].first_u, b[axis].first_u),
@@ -84,7 +84,7 @@ std::vector<NormalCells> cells_of_all(const Scene& scene, float tolerance) {
     tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t t) {
         const double width = narrowest_width(corners_of(scene, static_cast<std::uint32_t>(t)));
         if (width <= tolerance) return;
-        // Rounding moves a corner by an eighth of what RayScene tolerates, and two of them apart by twice
+        // Rounding moves a corner by an eighth of the tolerance of RayScene, and two corners apart by twice
         // that.
         const auto tilt = static_cast<float>(0.25 * double{tolerance} / width);
         cells[t] = cells_of(scene.geometric_normal[t], std::min(tilt, largest_tilt));
@@ -111,7 +111,7 @@ struct TrianglesByCell {
     }
 };
 
-/// Axes for the triangles of one cell, z along their normals.
+/// Returns a frame for the triangles of one cell, with z along their normals.
 Frame frame_of(std::size_t cell) {
     const auto along = [](std::size_t number) {
         return (2 * static_cast<float>(number) + 1) / cells_a_side - 1;
@@ -124,7 +124,7 @@ Frame frame_of(std::size_t cell) {
     return Frame(normal.normalized());
 }
 
-// --- places: only triangles whose boxes overlap are compared
+// --- positions: only triangles whose boxes overlap are compared
 
 struct Box {
     Vec3 low, high;
@@ -137,16 +137,16 @@ struct BoxedTriangle {
 
 struct Pair {
     std::uint32_t before, after;
-    double area;  ///< that they have in common
+    double area;  ///< of the overlap
 };
 
-/// So few are compared each with each.
+/// A part with at most this many triangles is not divided further.
 constexpr std::size_t few = 16;
-/// So many are where no plane separates them. What is more is a crowd.
+/// A part that no plane divides is compared pair by pair up to this size. A larger one is a crowd.
 constexpr std::size_t many = 64;
-/// Pairs of all crowds that are compared.
+/// Limit of the pairs that are compared in all crowds together.
 constexpr std::size_t most_pairs_in_crowds = 4'000'000;
-/// Parts of so many are worth another thread.
+/// A part of at least this size is worth another thread.
 constexpr std::size_t worth_a_thread = 4096;
 
 /// Triangles of one cell that lie in one part of space.
@@ -169,7 +169,7 @@ class PairSearch {
         });
     }
 
-    /// In the order of the triangles.
+    /// Returns the pairs, sorted by triangle.
     [[nodiscard]] std::vector<Pair> pairs() {
         std::vector<Pair> all;
         for (const std::vector<Pair>& some : pairs_) all.insert(all.end(), some.begin(), some.end());
@@ -179,7 +179,7 @@ class PairSearch {
         return all;
     }
 
-    /// Those of the crowds that are too many to be compared; compares the others.
+    /// Compares the crowds up to the limit of pairs. Returns the triangles of all other crowds.
     [[nodiscard]] std::vector<std::uint32_t> compare_crowds() {
         std::vector<Part> crowds;
         for (std::vector<Part>& some : crowds_)
@@ -214,7 +214,7 @@ class PairSearch {
                     box.high[axis] = std::max(box.high[axis], at[axis]);
                 }
             }
-            // Half of it for two that are as far apart as they may be, half of it for rounding.
+            // Half of it for the largest distance between two that coincide, half of it for rounding.
             box.low.z -= tolerance_;
             box.high.z += tolerance_;
             part.triangle.push_back({box, t});
@@ -222,7 +222,7 @@ class PairSearch {
         return part;
     }
 
-    /// Halves the part until few triangles are left. What lies in both halves goes into both.
+    /// Halves the part until few triangles are left. Triangles in both halves go into both.
     void divide(Part part) {
         if (part.triangle.size() > few) {
             for (const int axis : axes_by_spread(part)) {
@@ -274,7 +274,7 @@ class PairSearch {
         return std::max(below, above) < size && below + above <= size + size / 2;
     }
 
-    /// What is left of the part is below the border.
+    /// Splits off what is above the border; the part keeps what is below.
     static Part cut_off_above(Part& part, int axis, float border) {
         Part above{part.cell, part.region, {}};
         above.region.low[axis] = border;
@@ -296,8 +296,8 @@ class PairSearch {
                     compare(part.cell, part.triangle[i].triangle, part.triangle[j].triangle);
     }
 
-    /// Whether they overlap, and the lowest corner of what they have in common is in `region`: of all that
-    /// have both, one is.
+    /// Returns whether the boxes overlap and the lowest corner of their overlap is in `region`. This holds
+    /// for only one of the regions that contain both, so that each pair is compared once.
     static bool begin_to_overlap_in(const Box& region, const Box& a, const Box& b) {
         for (int axis = 0; axis < 3; ++axis) {
             const float begin = std::max(a.low[axis], b.low[axis]);
@@ -329,7 +329,7 @@ bool have_a_side_in_common(const Scene& scene, const Pair& pair) {
            is_for_both_faces(scene.material_of(pair.after));
 }
 
-/// `pairs` in the order of the triangles.
+/// `pairs` must be sorted by triangle.
 void count_covering(const Scene& scene, std::span<const Pair> pairs, CoincidingTriangles& found) {
     for (std::size_t i = 0; i < pairs.size();) {
         const std::uint32_t after = pairs[i].after;

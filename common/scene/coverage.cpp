@@ -6,7 +6,7 @@ namespace common {
 namespace {
 
 float coverage_of(const Material& material, float alpha) {
-    // Filtering may take some ulp off an alpha that is the cutoff everywhere.
+    // Filtering may lose some ulp of an alpha that equals the cutoff everywhere.
     constexpr float rounding = 8 * std::numeric_limits<float>::epsilon();
     switch (material.alpha_mode) {
         case AlphaMode::mask:

@@ -1,15 +1,15 @@
-// How much of a surface is there: alpha makes holes in it.
+// Coverage of surfaces: alpha makes holes in them.
 #pragma once
 
 #include "common/scene/surface_point.h"
 
 namespace common {
 
-/// The part of the surface that is there, in [0, 1] (glTF 2.0, section 3.9.4): the rest is a hole, through
-/// which light and eyes go as if there were nothing.
+/// Returns the fraction of the surface that is present, in [0, 1] (glTF 2.0, section 3.9.4). The rest is a
+/// hole, through which light and camera rays pass unchanged.
 [[nodiscard]] float coverage_at(const Scene& scene, const SurfaceId& surface);
 
-/// Bounds of coverage_at over a triangle, without a look into its texture.
+/// Bounds of coverage_at() over a triangle, found without reading its texture.
 struct CoverageRange {
     float least = 1, most = 1;
 

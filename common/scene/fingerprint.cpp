@@ -12,10 +12,10 @@ namespace {
 
 class Hash {
   public:
-    /// Numbers and arrays of numbers only: padding would bring in bytes that mean nothing.
+    /// Only for numbers and arrays of numbers: padding would add undefined bytes.
     template <class T>
     void add(const T& value) {
-        static_assert(std::is_standard_layout_v<T>);  // Imath's vectors copy by hand
+        static_assert(std::is_standard_layout_v<T>);  // Imath's vectors are not trivially copyable
         add_bytes(&value, sizeof(T));
     }
 
@@ -43,7 +43,7 @@ void add_geometry(Hash& hash, const Scene& scene) {
     hash.add_all(std::span<const Vec3>(scene.tangent));
     hash.add_all(std::span<const float>(scene.tangent_sign));
     hash.add_all(std::span<const TriangleVertices>(scene.triangle));
-    // What a scene does not have is left out, so that its fingerprint is what it was before there was any.
+    // Absent features are left out, so that a scene keeps its fingerprint when a feature is introduced.
     if (!scene.color.empty()) {
         hash.add_all(std::span<const Rgb>(scene.color));
         hash.add_all(std::span<const float>(scene.alpha));

@@ -1,4 +1,4 @@
-// A short text that tells two scenes apart.
+// A short text that identifies a scene.
 #pragma once
 
 #include <string>
@@ -7,9 +7,10 @@
 
 namespace common {
 
-/// 16 hexadecimal digits over geometry, materials, textures and lights: FNV-1a, 64 bits (Fowler, Noll and Vo,
-/// "The FNV Non-Cryptographic Hash Algorithm", RFC 9923), over the values as they lie in memory. Names,
-/// cameras and the file's place do not count. The same on any machine with the same byte order.
+/// Returns 16 hexadecimal digits, a hash of geometry, materials, textures and lights: FNV-1a, 64 bits
+/// (Fowler, Noll and Vo, "The FNV Non-Cryptographic Hash Algorithm", RFC 9923), over the values in memory.
+/// Names, cameras and the file's location do not count. It is the same on all machines with the same byte
+/// order.
 [[nodiscard]] std::string fingerprint(const Scene& scene);
 
 }  // namespace common

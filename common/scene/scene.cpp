@@ -3,7 +3,7 @@
 namespace common {
 
 float triangle_area(const Scene& scene, std::uint32_t triangle) {
-    // In double, as the squares of small edges are too small for a float.
+    // In double, as the squares of small edges underflow a float.
     const auto& [a, b, c] = scene.triangle[triangle];
     const Imath::V3d origin(scene.position[a]);
     const Imath::V3d edge_b = Imath::V3d(scene.position[b]) - origin;

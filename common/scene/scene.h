@@ -1,5 +1,5 @@
-// The scene as every later step sees it: world-space triangles with materials, lights and cameras.
-// A loader fills it in; from then on it is not changed.
+// The scene as all later steps see it: world-space triangles with materials, lights and cameras. A loader
+// fills it in; afterwards it does not change.
 #pragma once
 
 #include <Imath/ImathBox.h>
@@ -17,10 +17,10 @@ namespace common {
 
 inline constexpr std::int32_t no_texture = -1;
 
-/// Where texture coordinates are taken to before the texture is read (KHR_texture_transform).
+/// The transform of texture coordinates before the texture is read (KHR_texture_transform).
 struct TexcoordTransform {
-    Vec2 offset{0, 0};                  ///< of the coordinates (0, 0)
-    Vec2 along_u{1, 0}, along_v{0, 1};  ///< what a step of 1 along u and along v adds
+    Vec2 offset{0, 0};                  ///< the result for coordinates (0, 0)
+    Vec2 along_u{1, 0}, along_v{0, 1};  ///< the change for a step of 1 along u and along v
 
     [[nodiscard]] Vec2 operator()(const Vec2& texcoord) const {
         return offset + along_u * texcoord.x + along_v * texcoord.y;
@@ -28,7 +28,7 @@ struct TexcoordTransform {
     bool operator==(const TexcoordTransform&) const = default;
 };
 
-/// Which texture a material reads, through which set of texture coordinates (0 or 1), moved how.
+/// The texture that a material reads, the set of texture coordinates (0 or 1) and their transform.
 struct TextureUse {
     std::int32_t texture = no_texture;
     int texcoord_set = 0;
@@ -41,14 +41,14 @@ enum class SurfaceKind {
     dielectric,  ///< boundary of a body of smooth glass (KHR_materials_transmission with
                  ///< KHR_materials_volume, KHR_materials_ior): stores nothing
     thin_sheet   ///< smooth glass without thickness (KHR_materials_transmission alone), seen from both
-                 ///< sides: reflects, or lets light through unbent; stores nothing
+                 ///< sides: reflects, or transmits without bending; stores nothing
 };
 
-/// What becomes of a material's alpha (glTF 2.0, section 3.9.4).
+/// The use of a material's alpha (glTF 2.0, section 3.9.4).
 enum class AlphaMode {
-    opaque,  ///< nothing
-    mask,    ///< the surface is there where alpha is at least the cutoff, else there is a hole
-    blend    ///< alpha is the part of the surface that is there
+    opaque,  ///< alpha is ignored
+    mask,    ///< the surface is present where alpha is at least the cutoff, else there is a hole
+    blend    ///< alpha is the fraction of the surface that is present
 };
 
 struct Material {
@@ -63,10 +63,10 @@ struct Material {
     TextureUse emissive_texture;    ///< multiplies emitted_radiance
     float index_of_refraction = 1.5f;
     AlphaMode alpha_mode = AlphaMode::opaque;
-    float alpha = 1;  ///< times that of the base colour's texture and of the vertices
+    float alpha = 1;  ///< factor of the alpha of the base colour's texture and of the vertices
     float alpha_cutoff = 0.5f;
     bool double_sided =
-        false;  ///< both faces emit and each has light of its own; otherwise the front face only
+        false;  ///< both faces emit and each has its own irradiance; otherwise only the front face
 
     [[nodiscard]] bool emits() const { return max_component(emitted_radiance) > 0; }
 };
@@ -86,7 +86,7 @@ struct MeshInstance {
 struct PointLight {
     Vec3 position;
     Rgb intensity;          ///< W/sr
-    std::string name = "";  ///< as warnings call it: light 'Lamp'
+    std::string name = "";  ///< as used in warnings: light 'Lamp'
 };
 
 /// glTF spot: intensity falls off between the cones as KHR_lights_punctual says.
@@ -94,22 +94,22 @@ struct SpotLight {
     Vec3 position;
     Vec3 axis;      ///< unit, the way the light shines
     Rgb intensity;  ///< W/sr on the axis
-    // Of half the cones' angles. A laser's differ from 1 in digits that floats do not have.
+    // Cosines of half the cones' angles. For a laser they differ from 1 by less than floats resolve.
     double cos_inner_angle = 1;
     double cos_outer_angle = 0.70710678f;
-    std::string name = "";  ///< as warnings call it
+    std::string name = "";  ///< as used in warnings
 
-    /// Whether 1 - its cosines takes more digits than floats have: below 3.6 degrees.
+    /// Returns whether 1 - its cosines needs more digits than floats have: below 3.6 degrees.
     [[nodiscard]] bool is_narrow() const { return cos_outer_angle > 0.998; }
 };
 
 struct DirectionalLight {
     Vec3 direction;         ///< unit, the way the light travels
     Rgb irradiance;         ///< W/m^2 on a surface perpendicular to it
-    std::string name = "";  ///< as warnings call it
+    std::string name = "";  ///< as used in warnings
 };
 
-/// Uniform light from everywhere outside.
+/// Uniform radiance from all directions outside the scene.
 struct Sky {
     Rgb radiance;  ///< W/(m^2 sr)
 };
@@ -122,7 +122,7 @@ struct Camera {
     float vertical_fov = 0.785398f;  ///< radians
 };
 
-/// All positions are in world units, which glTF says are metres.
+/// All positions are in world units, which are metres in glTF.
 struct Scene {
     std::string source;  ///< the file it came from
 
@@ -130,10 +130,11 @@ struct Scene {
     std::vector<Vec3> position;
     std::vector<Vec3> normal;  ///< unit, world space; the triangle's own where the file gives none
     std::array<std::vector<Vec2>, 2> texcoord;  ///< TEXCOORD_0, TEXCOORD_1; zero where absent
-    /// Unit tangent, world space, along increasing u of the normal texture; zero for the triangles' own.
+    /// Unit tangent, world space, along increasing u of the normal texture; if zero, the triangle's own is
+    /// used.
     std::vector<Vec3> tangent;
     std::vector<float> tangent_sign;  ///< glTF's TANGENT.w: the bitangent is sign * cross(normal, tangent)
-    // Both empty where no primitive has COLOR_0; otherwise 1 for the vertices of those that have none.
+    // Both are empty if no primitive has COLOR_0; otherwise 1 for the vertices of primitives without it.
     std::vector<Rgb> color;    ///< linear, in [0, 1]; multiplies the base colour
     std::vector<float> alpha;  ///< in [0, 1]; multiplies the material's
 
@@ -152,22 +153,22 @@ struct Scene {
     std::optional<Sky> sky;
     std::vector<Camera> camera;
 
-    std::vector<std::string> warnings;  ///< what was read but could not be honoured, a line each
+    std::vector<std::string> warnings;  ///< what was read but could not be honoured, one line each
 
     Imath::Box3f bounds;
 
-    /// Where the file has what is at (0, 0, 0) here. Not zero only for scenes so far from their origin that
-    /// floats would blur them.
+    /// The position in the file of what is at (0, 0, 0) here. Not zero only for scenes so far from their
+    /// origin that floats would blur them.
     Imath::V3d origin{0, 0, 0};
 
     [[nodiscard]] const Material& material_of(std::uint32_t triangle_index) const {
         return material[instance[instance_of[triangle_index]].material];
     }
-    /// A length to measure tolerances and radii by.
+    /// Returns the diagonal of the bounds, the scale of tolerances and radii.
     [[nodiscard]] float diagonal() const { return (bounds.max - bounds.min).length(); }
 };
 
-/// Area of a triangle in square world units.
+/// Returns the area of a triangle in square world units.
 [[nodiscard]] float triangle_area(const Scene& scene, std::uint32_t triangle);
 
 }  // namespace common

@@ -13,17 +13,17 @@
 namespace common {
 namespace {
 
-/// One side of a triangle, as the corners that it joins are numbered by position.
+/// An edge of a triangle between two vertices that are numbered by position.
 struct Edge {
     std::uint64_t ends;  ///< the lower number in the upper half
     std::uint32_t triangle;
-    bool upward;  ///< the triangle goes round from the lower number to the higher
+    bool upward;  ///< the triangle's winding goes from the lower number to the higher
 
     friend auto operator<=>(const Edge&, const Edge&) = default;
 };
 
-/// Numbers of the scene's vertices that are equal where positions are: files repeat vertices where normals or
-/// texture coordinates differ, and meshes that meet have each their own.
+/// Returns numbers of the scene's vertices, equal for equal positions. Files repeat vertices where normals or
+/// texture coordinates differ, and meshes that meet each have their own.
 std::vector<std::uint32_t> vertices_by_position(const Scene& scene) {
     struct Place {
         std::uint32_t x, y, z, vertex;
@@ -31,7 +31,7 @@ std::vector<std::uint32_t> vertices_by_position(const Scene& scene) {
     std::vector<Place> places(scene.position.size());
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
         const Vec3& p = scene.position[i];
-        // Plus 0 makes of -0 the 0 that it equals.
+        // Adding 0 turns -0 into 0, to which it is equal.
         places[i] = {std::bit_cast<std::uint32_t>(p.x + 0.0f), std::bit_cast<std::uint32_t>(p.y + 0.0f),
                      std::bit_cast<std::uint32_t>(p.z + 0.0f), static_cast<std::uint32_t>(i)};
     });
@@ -65,11 +65,11 @@ std::vector<Edge> edges_in_order(const Scene& scene) {
     return edges;
 }
 
-/// Calls `meet(a, b, cosine)` for the triangles on both sides of each edge: the cosine between their normals
-/// as one goes over the edge on one face of the surface, whichever way either triangle goes round.
+/// Calls `meet(a, b, cosine)` for the triangles on both sides of each edge. `cosine` is between the normals
+/// of one face of the surface on both sides, whatever the winding of either triangle.
 template <class Meet>
 void for_each_meeting(const Scene& scene, std::span<const Edge> edges, Meet meet) {
-    // Where many triangles have one edge each is compared with those that follow it, as far as this.
+    // If many triangles share an edge, each is compared only with those that follow it within this number.
     constexpr std::size_t most_at_an_edge = 8;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const std::size_t end = std::min(edges.size(), i + most_at_an_edge);

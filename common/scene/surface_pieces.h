@@ -1,4 +1,4 @@
-// Which triangles make up one surface, and which surfaces meet: what tells a surface from another that lies
+// Which triangles form one surface, and which surfaces meet. This tells a surface from another that lies
 // close to it.
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace common {
 
-/// Triangles that meet at an edge within 25 degrees are of one piece, however far it bends in all.
+/// Triangles that meet at an edge within 25 degrees belong to one piece, however far it bends in total.
 inline constexpr float same_piece_cosine = 0.9f;
 
-/// Pieces of one scene. Edges are the same where both ends have the same position, whatever mesh or instance
-/// the triangles are of. Two triangles that lie over each other from their common edge on do not meet there.
+/// The pieces of one scene. Edges are the same if both ends have the same positions, whatever mesh or
+/// instance the triangles belong to. Two triangles that overlap from their common edge on do not meet there.
 class SurfacePieces {
   public:
     explicit SurfacePieces(const Scene& scene);
@@ -24,16 +24,16 @@ class SurfacePieces {
         return static_cast<std::uint32_t>(first_touching_.size() - 1);
     }
 
-    /// Numbered from 0 in the order of their first triangles.
+    /// Returns a piece. Pieces are numbered from 0 in the order of their first triangles.
     [[nodiscard]] std::uint32_t of_triangle(std::uint32_t triangle) const { return piece_of_[triangle]; }
 
-    /// Those that share an edge with it, in rising order.
+    /// Returns the pieces that share an edge with it, in ascending order.
     [[nodiscard]] std::span<const std::uint32_t> touching(std::uint32_t piece) const {
         return std::span(touching_).subspan(first_touching_[piece],
                                             first_touching_[piece + 1] - first_touching_[piece]);
     }
 
-    /// Whether both are one piece, or share an edge.
+    /// Returns whether both are the same piece or share an edge.
     [[nodiscard]] bool meet(std::uint32_t a, std::uint32_t b) const {
         if (a == b) return true;
         const std::span<const std::uint32_t> others = touching(a);

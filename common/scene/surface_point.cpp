@@ -7,8 +7,8 @@ struct TangentFrame {
     Vec3 tangent, bitangent;
 };
 
-/// Tangent and bitangent that belong to the texture coordinates of the normal map: the vertices' own, or else
-/// the triangle's derivatives of position by texture coordinate, where the map is read.
+/// Returns tangent and bitangent for the texture coordinates of the normal map: the vertices' own, or else
+/// the triangle's derivatives of position by the texture coordinates at which the map is read.
 TangentFrame tangent_frame_at(const Scene& scene, const SurfaceId& surface, const Vec3& normal,
                               const TextureUse& use) {
     const auto [a, b, c] = scene.triangle[surface.triangle];
@@ -24,8 +24,8 @@ TangentFrame tangent_frame_at(const Scene& scene, const SurfaceId& surface, cons
     return {tangent, normal.cross(tangent) * sign};
 }
 
-/// `normal` bent as the material's normal texture says (glTF 2.0, section 3.9.3: texel green points up,
-/// towards decreasing v, which is the bitangent's sense).
+/// Returns `normal` perturbed by the material's normal texture (glTF 2.0, section 3.9.3: texel green points
+/// up, towards decreasing v, which is the direction of the bitangent).
 Vec3 normal_mapped(const Scene& scene, const SurfaceId& surface, const Material& material,
                    const Vec3& normal) {
     const TextureUse& use = material.normal_texture;
@@ -63,7 +63,7 @@ Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, int texcoord_set)
 }
 
 Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, const TextureUse& use) {
-    // Moved, then interpolated, as the tracer does it (SurfaceTexture): see interpolate().
+    // Transformed, then interpolated, in the tracer's order (SurfaceTexture): see interpolate().
     const auto [a, b, c] = scene.triangle[surface.triangle];
     const auto& uv = scene.texcoord[use.texcoord_set];
     return interpolate(use.transform(uv[a]), use.transform(uv[b]), use.transform(uv[c]), surface.u,
@@ -74,7 +74,7 @@ Vec3 smooth_normal_at(const Scene& scene, const SurfaceId& surface) {
     const auto [a, b, c] = scene.triangle[surface.triangle];
     const Vec3& geometric = scene.geometric_normal[surface.triangle];
     const Vec3 normal = interpolate(scene.normal[a], scene.normal[b], scene.normal[c], surface.u, surface.v);
-    // Some files' vertex normals point away from their triangle; such a normal says nothing about the front.
+    // In some files vertex normals point away from their triangle; such a normal is not used.
     return normal.dot(geometric) > 0 ? normal.normalized() : geometric;
 }
 
@@ -119,8 +119,8 @@ SurfacePoint surface_point_at(const Scene& scene, const SurfaceId& surface, cons
     Vec3 shading = smooth_normal_at(scene, surface);
     if (material.normal_texture.texture != no_texture)
         shading = normal_mapped(scene, surface, material, shading);
-    // A map may bend the normal past the horizon; what faces away from its own surface gathers nothing
-    // sensible.
+    // A map may bend the normal below the horizon. A normal that faces away from its own surface gathers
+    // nothing useful.
     if (shading.dot(front_normal) <= 0) shading = front_normal;
 
     const float side = front ? 1.0f : -1.0f;

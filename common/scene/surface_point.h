@@ -1,4 +1,4 @@
-// What is known about one point of a surface: where it is and which way it faces.
+// A point of a surface: its position and normals.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@ struct SurfaceId {
     float u, v;
 };
 
-/// A point at which irradiance is asked for.
+/// A point of an irradiance query.
 struct SurfacePoint {
     SurfaceId surface;
     Vec3 position;
-    Vec3 geometric_normal;  ///< unit, on the side that is looked at
+    Vec3 geometric_normal;  ///< unit, on the side that is seen
     Vec3 shading_normal;    ///< unit, interpolated and normal-mapped, on the same side
     bool front = true;      ///< whether that side is the triangle's front
 };
@@ -26,10 +26,10 @@ struct SurfacePoint {
 [[nodiscard]] Vec3 position_at(const Scene& scene, const SurfaceId& surface);
 [[nodiscard]] Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, int texcoord_set);
 
-/// Where a texture is read.
+/// Returns the coordinates at which the texture is read.
 [[nodiscard]] Vec2 texcoord_at(const Scene& scene, const SurfaceId& surface, const TextureUse& use);
 
-/// Interpolated vertex normal, unit, on the front side; no normal map.
+/// Returns the interpolated vertex normal, unit, on the front side; without normal map.
 [[nodiscard]] Vec3 smooth_normal_at(const Scene& scene, const SurfaceId& surface);
 
 /// Where a normal map's u and v point on a surface.
@@ -42,16 +42,17 @@ struct MapTangent {
 /// vertices without tangents.
 [[nodiscard]] MapTangent triangle_tangent(const Scene& scene, std::uint32_t triangle, const TextureUse& use);
 
-/// Base colour: factor times texture times vertex colour, in [0, 1].
+/// Returns the base colour: factor times texture times vertex colour, in [0, 1].
 [[nodiscard]] Rgb base_color_at(const Scene& scene, const SurfaceId& surface);
 
-/// Alpha: factor times texture times that of the vertices, in [0, 1], whatever the material makes of it.
+/// Returns alpha: factor times texture times that of the vertices, in [0, 1], in any alpha mode.
 [[nodiscard]] float alpha_at(const Scene& scene, const SurfaceId& surface);
 
-/// W/(m^2 sr) leaving the surface's emitting face: factor times texture.
+/// Returns the radiance that leaves the surface's emitting face, W/(m^2 sr): factor times texture.
 [[nodiscard]] Rgb emitted_radiance_at(const Scene& scene, const SurfaceId& surface);
 
-/// The point seen along `direction` (unit, towards the surface), with its normals on the side that is seen.
+/// Returns the point seen along `direction` (unit, towards the surface), with normals on the side that is
+/// seen.
 [[nodiscard]] SurfacePoint surface_point_at(const Scene& scene, const SurfaceId& surface,
                                             const Vec3& direction);
 

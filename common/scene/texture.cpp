@@ -15,8 +15,8 @@ float linear_of_srgb(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
-/// The place in [0, 1] that `coordinate` stands for. Done before the multiplication by the size, so that
-/// texels can be counted in ints however large a coordinate is.
+/// Returns the place in [0, 1] to which `coordinate` wraps. Wrapping before the multiplication by the size
+/// lets an int count texels, however large a coordinate is.
 float wrapped(float coordinate, Wrap wrap) {
     if (!std::isfinite(coordinate)) return 0;
     switch (wrap) {
@@ -38,11 +38,12 @@ struct Texels {
     float weight;
 };
 
-/// Texel centres are at half-integers, so a place at the edge lies between the last texel and what the
-/// wrapping puts beyond it: the other end for repeat, itself for the others.
+/// Returns the texels around a coordinate. Texel centres are at half-integers, so a place at the edge lies
+/// between the last texel and the one that wrapping puts beyond it. That is the other end for repeat, the
+/// last texel itself otherwise.
 Texels texels_around(float coordinate, int size, Wrap wrap) {
     const float place = wrapped(coordinate, wrap) * static_cast<float>(size) - 0.5f;
-    const int index = place < 0 ? -1 : static_cast<int>(place);  // std::floor is a call
+    const int index = place < 0 ? -1 : static_cast<int>(place);  // avoids a call of std::floor
     const auto inside = [&](int i) {
         if (i < 0) return wrap == Wrap::repeat ? size - 1 : 0;
         if (i >= size) return wrap == Wrap::repeat ? i - size : size - 1;
@@ -51,7 +52,7 @@ Texels texels_around(float coordinate, int size, Wrap wrap) {
     return {inside(index), inside(index + 1), place - static_cast<float>(index)};
 }
 
-/// Sum over the four texels of what `value` gives for each, by their weights.
+/// Returns the sum of `value` over the four texels, by their weights.
 template <class Value>
 auto weighted(const Texture::Footprint& around, const Value& value) {
     const auto& [upper_left, upper_right, lower_left, lower_right] = around.texel;
@@ -95,7 +96,7 @@ Texture::Footprint Texture::footprint(Vec2 texcoord) const {
         return 3 *
                (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
     };
-    // The nearest pixel is the one of the two that weighs more.
+    // The nearest pixel is the one of the two with the larger weight.
     const auto weight_of = [this](const Texels& texels) {
         if (filtering_ == Filter::linear) return texels.weight;
         return texels.weight < 0.5f ? 0.0f : 1.0f;

@@ -13,10 +13,10 @@ namespace common {
 
 enum class Wrap { repeat, clamp_to_edge, mirrored_repeat };
 
-/// What lies between the centres of pixels.
+/// Interpolation between the centres of pixels.
 enum class Filter {
-    linear,  ///< the four around, weighted
-    nearest  ///< the nearest alone
+    linear,  ///< bilinear, of the four pixels around
+    nearest  ///< the nearest pixel
 };
 
 enum class ColorSpace {
@@ -24,31 +24,31 @@ enum class ColorSpace {
     srgb     ///< colours: base colour and emission; decoded to linear when sampled
 };
 
-/// 8-bit RGB image, some with alpha, some of data with 16 bits. Row 0 is the top row, at v = 0 (glTF 2.0,
-/// section 3.8.1).
+/// An RGB image of 8 bits, some with alpha; some images of data have 16 bits. Row 0 is the top row, at v = 0
+/// (glTF 2.0, section 3.8.1).
 class Texture {
   public:
-    /// `rgb` holds 3 * width * height bytes, row by row, `alpha` a third of that, or none where it is 1
-    /// everywhere. `rgb_16` is what `rgb` was rounded from, in 65535ths, or none; for data alone. Throws
-    /// InputError where that does not hold.
+    /// `rgb` holds 3 * width * height bytes, row by row; `alpha` a third of that, or none if it is 1
+    /// everywhere. `rgb_16` holds the values that `rgb` was rounded from, in 65535ths, or none; it is only
+    /// for data. Throws InputError if that does not hold.
     Texture(std::string name, int width, int height, std::vector<std::uint8_t> rgb, ColorSpace color_space,
             Wrap wrap_u, Wrap wrap_v, std::vector<std::uint8_t> alpha = {}, Filter filtering = Filter::linear,
             std::vector<std::uint16_t> rgb_16 = {});
 
-    /// The four texels around a place, and how they are weighted.
+    /// The four texels around a place and their weights.
     struct Footprint {
         std::array<std::size_t, 4>
             texel;           ///< first byte of each: upper left, upper right, lower left, lower right
         float right, lower;  ///< weights, in [0, 1]
     };
 
-    /// Sample at `texcoord`, filtered; linear values in [0, 1].
+    /// Returns the filtered sample at `texcoord`; linear values in [0, 1].
     [[nodiscard]] Rgb sample(Vec2 texcoord) const {
         return rgb_16_.empty() ? filter(footprint(texcoord)) : filter_16(footprint(texcoord));
     }
 
-    // The same in two steps, for whoever has many colours to take: what the second reads can be prefetched.
-    // With 8 bits, whatever the image has.
+    // The same in two steps, so that callers with many samples can prefetch what the second step reads. This
+    // uses 8 bits, even if the image has 16.
     [[nodiscard]] Footprint footprint(Vec2 texcoord) const;
     void prefetch(const Footprint& around) const {
         __builtin_prefetch(&rgb_[around.texel[0]]);
@@ -56,7 +56,7 @@ class Texture {
     }
     [[nodiscard]] Rgb filter(const Footprint& around) const;
 
-    /// Sample of alpha, filtered, in [0, 1].
+    /// Returns the filtered sample of alpha, in [0, 1].
     [[nodiscard]] float sample_alpha(Vec2 texcoord) const;
 
     [[nodiscard]] const std::string& name() const { return name_; }
@@ -86,8 +86,8 @@ class Texture {
     std::string name_;
     int width_, height_;
     std::vector<std::uint8_t> rgb_;
-    std::vector<std::uint8_t> alpha_;    ///< none where it is 1 everywhere
-    std::vector<std::uint16_t> rgb_16_;  ///< none where the image has 8 bits
+    std::vector<std::uint8_t> alpha_;    ///< none if it is 1 everywhere
+    std::vector<std::uint16_t> rgb_16_;  ///< none if the image has 8 bits
     std::array<float, 256> linear_of_byte_;
     ColorSpace color_space_;
     Wrap wrap_u_, wrap_v_;

@@ -10,12 +10,12 @@ namespace {
 
 using Imath::V3d;
 
-/// A corner as seen from a plane: x and y along it, z off it.
+/// A corner relative to a plane: x and y in the plane, z off it.
 using OnPlane = V3d;
 using PlaneTriangle = std::array<OnPlane, 3>;
 
-/// Corners of a convex polygon, counter-clockwise: a triangle cut off along the three sides of another. That
-/// has six at most, but for rounding.
+/// Corners of a convex polygon, counter-clockwise: a triangle clipped by the three sides of another. It has
+/// at most six, except for rounding.
 struct Polygon {
     std::array<OnPlane, 9> corner;
     std::size_t count = 0;
@@ -23,13 +23,13 @@ struct Polygon {
     void add(const OnPlane& p) { corner[count++] = p; }
 };
 
-/// How far `p` is on the inner (left) side of the line from `a` to `b`, which are not the same.
+/// Returns how far `p` is on the inner (left) side of the line from `a` to `b`, which must differ.
 double inside(const OnPlane& a, const OnPlane& b, const OnPlane& p) {
     const double x = b.x - a.x, y = b.y - a.y;
     return (x * (p.y - a.y) - y * (p.x - a.x)) / std::sqrt(x * x + y * y);
 }
 
-/// Both triangles on the plane of `flat`, which becomes counter-clockwise, as is `other` then.
+/// Both triangles projected to the plane of `flat`. Both become counter-clockwise.
 struct Projection {
     PlaneTriangle flat, other;
 
@@ -56,7 +56,7 @@ bool is_off_the_plane(const PlaneTriangle& t, double tolerance) {
     return low > tolerance || high < -tolerance;
 }
 
-/// Whether a side of `a` has `b` outside, but for `tolerance`.
+/// Returns whether all of `b` is outside one side of `a`, up to `tolerance`.
 bool has_outside(const PlaneTriangle& a, const PlaneTriangle& b, double tolerance) {
     for (std::size_t i = 0; i < 3; ++i) {
         const OnPlane &from = a[i], &to = a[(i + 1) % 3];
@@ -67,7 +67,7 @@ bool has_outside(const PlaneTriangle& a, const PlaneTriangle& b, double toleranc
     return false;
 }
 
-/// What of the polygon is on the inner side of the line from `a` to `b`.
+/// Returns the part of the polygon on the inner side of the line from `a` to `b`.
 Polygon cut(const Polygon& polygon, const OnPlane& a, const OnPlane& b) {
     Polygon kept;
     for (std::size_t i = 0; i < polygon.count; ++i) {
@@ -97,10 +97,10 @@ double narrowest_width(const TriangleCorners& triangle) {
 double common_area(const TriangleCorners& a, const TriangleCorners& b, double tolerance) {
     const double a_width = narrowest_width(a), b_width = narrowest_width(b);
     if (std::min(a_width, b_width) <= tolerance) return 0;
-    // Rounding tilts the plane of the narrower one more.
+    // Uses the plane of the wider triangle, as rounding tilts that of the narrower one more.
     const auto [flat, other] = a_width >= b_width ? Projection(a, b) : Projection(b, a);
     if (is_off_the_plane(other, tolerance)) return 0;
-    if (Projection::twice_area(other) <= 0) return 0;  // it stands on the plane
+    if (Projection::twice_area(other) <= 0) return 0;  // it is perpendicular to the plane
     if (has_outside(flat, other, tolerance) || has_outside(other, flat, tolerance)) return 0;
 
     Polygon overlap;

@@ -5,11 +5,11 @@
 namespace common {
 namespace {
 
-/// One of the axes in proportion to its weight, and `number` stretched to the range that has chosen it.
+/// Chooses an axis in proportion to its weight, and rescales `number` to be uniform again.
 int choose_axis(const Vec3& weight, float& number) {
     float place = number * (weight.x + weight.y + weight.z);
     int axis = 0;
-    // Never a face without area, whatever rounding does.
+    // Rounding must not choose a face without area.
     while (axis < 2 && (place >= weight[axis] || weight[axis] == 0)) place -= weight[axis++];
     while (axis > 0 && weight[axis] == 0) --axis;
     number = weight[axis] > 0 ? std::clamp(place / weight[axis], 0.0f, 1.0f) : 0.0f;

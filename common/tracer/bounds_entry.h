@@ -1,4 +1,4 @@
-// Where light from outside enters the box around a scene.
+// Samples where light from outside enters the box around a scene.
 #pragma once
 
 #include <Imath/ImathBox.h>
@@ -9,8 +9,8 @@
 
 namespace common {
 
-/// Light that reaches the scene from outside enters its bounding box, which it shines through from no more
-/// places than it must: a plain has the area of its top and no bounding sphere's.
+/// Samples where light from outside enters the scene's bounding box. A box exposes less area than a bounding
+/// sphere: for a flat scene only that of its top.
 class BoundsEntry {
   public:
     /// `bounds` must not be empty; it may be flat.
@@ -21,19 +21,19 @@ class BoundsEntry {
         Vec3 outward;   ///< unit, normal of the box's face
     };
 
-    /// What the box covers of a plane perpendicular to `direction` (unit), square world units.
+    /// Returns the area of the box projected along `direction` (unit), square world units.
     [[nodiscard]] float area_across(const Vec3& direction) const;
 
-    /// Where light along `direction` (unit) enters, uniform over what the box covers across it.
+    /// Returns where light along `direction` (unit) enters, uniform over the projected area.
     [[nodiscard]] Place place_across(const Vec3& direction, float which_face, float u1, float u2) const;
 
-    /// Of all six faces, square world units.
+    /// Returns the area of all six faces, square world units.
     [[nodiscard]] float area() const;
 
-    /// Uniform over all six faces.
+    /// Returns a place, uniform over all six faces.
     [[nodiscard]] Place place(float which_face, float u1, float u2) const;
 
-    /// More than from any place of the box to any other.
+    /// Returns a length greater than any distance within the box.
     [[nodiscard]] float reach() const { return size_.length(); }
 
   private:

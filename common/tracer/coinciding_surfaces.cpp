@@ -8,7 +8,7 @@
 namespace common {
 namespace {
 
-/// Two triangles in one plane may face apart by as much as rounding tilts narrow ones.
+/// The normals of two triangles in one plane may differ by as much as rounding tilts narrow ones.
 constexpr float same_plane_cosine = 0.99f;
 
 bool stops_light(const Scene& scene, const Material& material, const SurfaceId& surface) {
@@ -17,7 +17,7 @@ bool stops_light(const Scene& scene, const Material& material, const SurfaceId& 
     return material.alpha_mode == AlphaMode::opaque;
 }
 
-/// The larger the better: see CoincidingSurfaces.
+/// Returns the priority of a surface: the highest is hit. See CoincidingSurfaces.
 int claim_of(const Scene& scene, const SurfaceId& surface, const Vec3& direction) {
     const Material& material = scene.material_of(surface.triangle);
     const bool front = direction.dot(scene.geometric_normal[surface.triangle]) < 0;
@@ -29,7 +29,7 @@ int claim_of(const Scene& scene, const SurfaceId& surface, const Vec3& direction
 
 }  // namespace
 
-/// Looks at what Embree shows it and keeps the best.
+/// Visits the surfaces that Embree shows it and keeps the best.
 struct CoincidingSurfaces::Query : EmbreeContext {
     const CoincidingSurfaces& surfaces;
     SurfaceId found;
@@ -80,13 +80,13 @@ void CoincidingSurfaces::show(const RTCFilterFunctionNArguments* arguments) {
     const RTCHit hit = rtcGetHitFromHitN(arguments->hit, arguments->N, 0);
     auto& query = *static_cast<Query*>(arguments->context);
     query.look_at({query.surfaces.triangles_[hit.primID], hit.u, hit.v});
-    arguments->valid[0] = 0;  // and show me the next
+    arguments->valid[0] = 0;  // rejects the hit, so that Embree shows the next
 }
 
 SurfaceId CoincidingSurfaces::met_at(const SurfaceId& found, const Vec3& origin, const Vec3& direction,
                                      float distance) const {
     Query query(*this, found, direction);
-    // Distances are rounded in proportion to themselves.
+    // Distances have relative rounding errors.
     constexpr float rounding = 8 * std::numeric_limits<float>::epsilon();
     const float cosine = std::abs(direction.dot(query.normal));
     const float reach = (query.tolerance + rounding * distance) / std::max(cosine, 1e-6f);

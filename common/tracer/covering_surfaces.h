@@ -1,4 +1,4 @@
-// What lies over a point of a surface.
+// Finds what lies over a point of a surface.
 #pragma once
 
 #include "common/scene/surface_pieces.h"
@@ -6,24 +6,24 @@
 
 namespace common {
 
-/// Surfaces of a scene as they lie over each other: a shelf over the one below, a panel over its wall.
+/// Finds surfaces of a scene that lie over others: a shelf over the one below, a panel over its wall.
 class CoveringSurfaces {
   public:
-    /// `rays` and its scene must outlive it.
+    /// `rays` and its scene must outlive this object.
     explicit CoveringSurfaces(const RayScene& rays) : CoveringSurfaces(rays, SurfacePieces(rays.scene())) {}
 
-    /// The same with the scene's pieces, where they are known.
+    /// Does the same with the scene's pieces, if they are known.
     CoveringSurfaces(const RayScene& rays, SurfacePieces pieces) : rays_(&rays), pieces_(std::move(pieces)) {}
 
-    /// How high over the point, along its geometric normal, the nearest surface is, world units; infinite
-    /// where there is none. A surface that bends over itself does not cover itself: what is nearest and of
-    /// the point's own piece (SurfacePieces) counts as none.
+    /// Returns the height of the nearest surface over the point, along its geometric normal, world units;
+    /// infinite if there is none. It is infinite too if the nearest surface belongs to the point's own piece
+    /// (SurfacePieces): a surface that bends over itself does not cover itself.
     [[nodiscard]] float height_over(const SurfacePoint& point) const;
 
-    /// Heights are known no better than that, world units.
+    /// Returns the rounding error of heights, world units.
     [[nodiscard]] float rounding() const { return rays_->surface_offset(); }
 
-    /// Without the scene and its rays.
+    /// Returns the memory without the scene and its rays.
     [[nodiscard]] std::size_t bytes() const { return pieces_.bytes(); }
 
   private:

@@ -13,7 +13,7 @@
 
 namespace common {
 
-/// From `origin` to `origin + direction * reach`.
+/// Returns the ray from `origin` to `origin + direction * reach`.
 [[nodiscard]] inline RTCRay ray_along(const Vec3& origin, const Vec3& direction, float reach) {
     return {.org_x = origin.x,
             .org_y = origin.y,
@@ -29,7 +29,7 @@ namespace common {
             .flags = 0};
 }
 
-/// The same, with nothing met.
+/// Returns the same ray without a hit.
 [[nodiscard]] inline RTCRayHit ray_hit_along(const Vec3& origin, const Vec3& direction, float reach) {
     RTCRayHit ray_hit;
     ray_hit.ray = ray_along(origin, direction, reach);
@@ -38,7 +38,7 @@ namespace common {
     return ray_hit;
 }
 
-/// What Embree hands to a filter of the scene. A filter's own data is of a type derived from it.
+/// The context that Embree passes to a filter of the scene. A filter's own data is of a type derived from it.
 #if RTC_VERSION_MAJOR >= 4
 struct EmbreeContext : RTCRayQueryContext {
     EmbreeContext() { rtcInitRayQueryContext(this); }
@@ -52,7 +52,7 @@ struct EmbreeContext : RTCIntersectContext {
 };
 #endif
 
-/// Nearest hit of one ray, of those that the scene's filter accepts.
+/// Finds the nearest hit of one ray among those that the scene's filter accepts.
 inline void intersect_incoherent(RTCScene scene, RTCRayHit& ray_hit, EmbreeContext& context) {
 #if RTC_VERSION_MAJOR >= 4
     RTCIntersectArguments arguments;
@@ -65,7 +65,7 @@ inline void intersect_incoherent(RTCScene scene, RTCRayHit& ray_hit, EmbreeConte
 #endif
 }
 
-/// Nearest hit of one ray whose direction has nothing to do with the last one's.
+/// Finds the nearest hit of one ray whose direction is unrelated to the last one's.
 inline void intersect_incoherent(RTCScene scene, RTCRayHit& ray_hit) {
 #if RTC_VERSION_MAJOR >= 4
     RTCIntersectArguments arguments;
@@ -80,11 +80,11 @@ inline void intersect_incoherent(RTCScene scene, RTCRayHit& ray_hit) {
 #endif
 }
 
-/// Whether the rays of a packet go much the same way. Decides how Embree walks them through the scene, not
-/// what they hit.
+/// Whether the rays of a packet have similar directions. It decides how Embree traverses the BVH, not what
+/// they hit.
 enum class PacketKind { coherent, incoherent };
 
-/// Nearest hits of a packet's rays, where `valid` is -1; the others' `valid` is 0.
+/// Finds the nearest hits of a packet's rays for which `valid` is -1; it is 0 for the others.
 template <class Packet>
 void intersect_packet(const int* valid, RTCScene scene, Packet& packet, PacketKind kind) {
     constexpr bool sixteen = std::is_same_v<Packet, RTCRayHit16>;
@@ -109,7 +109,7 @@ void intersect_packet(const int* valid, RTCScene scene, Packet& packet, PacketKi
 #endif
 }
 
-/// Whether anything lies along a ray whose direction has nothing to do with the last one's.
+/// Returns whether anything lies along a ray whose direction is unrelated to the last one's.
 [[nodiscard]] inline bool occluded_incoherent(RTCScene scene, RTCRay& ray) {
 #if RTC_VERSION_MAJOR >= 4
     RTCOccludedArguments arguments;
@@ -122,7 +122,7 @@ void intersect_packet(const int* valid, RTCScene scene, Packet& packet, PacketKi
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     rtcOccluded1(scene, &context, &ray);
 #endif
-    return ray.tfar < 0;  // Embree's mark
+    return ray.tfar < 0;  // Embree's mark of an occluded ray
 }
 
 }  // namespace common

@@ -10,7 +10,7 @@
 namespace common {
 namespace {
 
-/// Of a cell's chance, for what its samples may have missed.
+/// The share of a cell's weight for light that its samples may have missed.
 constexpr double share_of_brightest = 0.01f;
 
 /// Texels first to last along one axis of a texture, both included.
@@ -24,11 +24,11 @@ struct TexelRanges {
     int count;
 };
 
-/// The texels that are read between two coordinates, where they lie in the texture.
+/// Returns the texels that are read between two coordinates, after wrapping.
 TexelRanges texels_between(float low, float high, int size, Wrap wrap) {
     const TexelRanges all{{{{0, size - 1}, {}}}, 1};
     const double from = static_cast<double>(low) * size - 0.5, to = static_cast<double>(high) * size - 0.5;
-    // A coordinate is rounded on its way here and again when the texture is read.
+    // A coordinate is rounded here and again when the texture is read.
     const double rounding = 1e-3 + 0x1p-21 * std::max(std::abs(from), std::abs(to));
     const double first = std::floor(from - rounding), last = std::floor(to + rounding) + 1;
     if (!(std::max(std::abs(first), std::abs(last)) < 1e9)) return all;
@@ -83,7 +83,7 @@ float BrightestTexels::within(const Vec2& low, const Vec2& high) const {
                              &down = y.range[static_cast<std::size_t>(j)];
             brightest = std::max(brightest, in_texels(across.first, across.last, down.first, down.last));
         }
-    // Decoded to linear, a byte is at most this.
+    // Decoding to linear does not increase this.
     return static_cast<float>(brightest) / 255.0f;
 }
 
@@ -118,7 +118,7 @@ EmissionCells::EmissionCells(const Scene& scene, std::uint32_t triangle, const B
           static_cast<int>(texels_per_cell < most_across - 2 ? texels_per_cell + 2 : most_across));
 }
 
-/// Of the longest edge.
+/// Returns the number of texels along the longest edge.
 float EmissionCells::texels_along_an_edge(const Texture& texture) const {
     float texels = 1;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -129,7 +129,7 @@ float EmissionCells::texels_along_an_edge(const Texture& texture) const {
     return texels;
 }
 
-/// Each cell into the four between its corners and the middles of its sides.
+/// Splits each cell into four, at the middles of its sides.
 void EmissionCells::split() {
     const std::vector<Cell> whole = std::exchange(cell_, {});
     ++level_;
@@ -193,7 +193,7 @@ EmissionCells::Place EmissionCells::place(double which, float u1, float u2) cons
     const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), which * cumulative_.back());
     const std::size_t chosen = std::min<std::size_t>(found - cumulative_.begin(), cell_.size() - 1);
     const double weight = cumulative_[chosen] - (chosen == 0 ? 0.0 : cumulative_[chosen - 1]);
-    const double cells = std::ldexp(1.0, 2 * level_);  // with the black ones
+    const double cells = std::ldexp(1.0, 2 * level_);  // including the black ones
     return {within(cell_[chosen], sample_triangle(u1, u2)),
             static_cast<float>(weight / cumulative_.back() * cells)};
 }

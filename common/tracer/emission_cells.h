@@ -1,4 +1,4 @@
-// Where on a triangle its emissive texture shines.
+// Importance sampling of the places where a triangle's emissive texture is bright.
 #pragma once
 
 #include <Imath/ImathBox.h>
@@ -11,51 +11,53 @@
 
 namespace common {
 
-/// For any rectangle of a texture, the brightest texel in it or, at little cost, near it: 0 only where the
-/// texture is black, and there always 0 as soon as the rectangle is small enough.
+/// Bounds the brightness in any rectangle of a texture by the brightest texel in it or, to save time, near
+/// it. The bound is 0 only where the texture is black, and always there if the rectangle is small enough.
 class BrightestTexels {
   public:
     explicit BrightestTexels(const Texture& texture);
 
-    /// At least what any channel has anywhere between two texture coordinates, as a part of full brightness.
+    /// Returns an upper bound of all channels between two texture coordinates, as a fraction of full
+    /// brightness.
     [[nodiscard]] float within(const Vec2& low, const Vec2& high) const;
 
   private:
     struct Level {
         int width, height;
-        std::vector<std::uint8_t> brightest;  ///< of 2^level texels each way, row by row
+        std::vector<std::uint8_t> brightest;  ///< of 2^level x 2^level texels, row by row
     };
 
     [[nodiscard]] std::uint8_t in_texels(int first_x, int last_x, int first_y, int last_y) const;
 
     std::array<Wrap, 2> wrap_;
-    std::vector<Level> level_;  ///< the texels themselves first, one for all last
+    std::vector<Level> level_;  ///< from single texels to one value for all
 };
 
-/// A triangle cut into equal small ones, as fine as its texels or as `most_cells` allows, without those that
-/// the texture leaves black. Photons start in a cell in proportion to what it emits, so that each carries
-/// about as much and none is spent on the dark.
+/// A triangle split into equal cells, as fine as its texels or as `most_cells` allows, without cells where
+/// the texture is black. Photons start in a cell in proportion to its emission. So all carry about the same
+/// flux, and none starts in the dark.
 class EmissionCells {
   public:
-    /// `brightest` is that of the material's emissive texture. About `most_cells` are kept, four times as
-    /// many at most.
+    /// `brightest` belongs to the material's emissive texture. About `most_cells` are kept, at most four
+    /// times as many.
     EmissionCells(const Scene& scene, std::uint32_t triangle, const BrightestTexels& brightest,
                   std::size_t most_cells);
 
-    /// Over the triangle, from samples in each cell. Of what may be bright between the samples a cell has a
-    /// hundredth in its chance, so that nothing is lost. 0 only where the texture is black.
+    /// Returns the mean over the triangle, from samples in each cell. A hundredth of a cell's weight comes
+    /// from its brightest texel, so that light between the samples is not lost. It is 0 only if the texture
+    /// is black.
     [[nodiscard]] const Rgb& mean_radiance() const { return mean_radiance_; }
 
     struct Place {
         Vec2 uv;        ///< barycentric, of the second and third corner
-        float density;  ///< times that of a place uniform over the triangle
+        float density;  ///< relative to uniform density over the triangle
     };
 
-    /// For numbers that are uniform in [0, 1). Not for a black triangle.
+    /// Returns the place for numbers that are uniform in [0, 1). The triangle must not be black.
     [[nodiscard]] Place place(double which, float u1, float u2) const;
 
   private:
-    /// Corners at (column, row), (column + 1, row) and (column, row + 1) over 2^level; turned ones at
+    /// Has its corners at (column, row), (column + 1, row) and (column, row + 1) over 2^level; if turned, at
     /// (column + 1, row + 1), (column, row + 1) and (column + 1, row).
     struct Cell {
         std::uint16_t column, row;

@@ -1,4 +1,4 @@
-// Forgets every hit: what tracing costs without a store.
+// Discards every hit, to measure the cost of tracing without a store.
 #pragma once
 
 #include "common/tracer/hit_batch.h"

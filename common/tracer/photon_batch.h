@@ -1,4 +1,4 @@
-// Photons on their way, many at once.
+// A batch of photons on their way.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace common {
 
-/// Structure of arrays: the loops over it are the tracer's, and the compiler turns them into vector code.
+/// Photons as structure of arrays, so that the compiler vectorises the tracer's loops over them.
 struct PhotonBatch {
     std::vector<std::uint32_t> number;  ///< counted from the first photon of the block
     Vec3Array origin;
-    Vec3Array direction;  ///< unit, the way it travels
+    Vec3Array direction;  ///< unit, the way the photon travels
     Vec3Array flux;       ///< RGB, as EmittedPhoton::flux
 
     [[nodiscard]] std::size_t size() const { return number.size(); }
 
-    /// What is new has no defined value.
+    /// The values of new elements are undefined.
     void resize(std::size_t photons) {
         number.resize(photons);
         origin.resize(photons);
@@ -26,7 +26,7 @@ struct PhotonBatch {
         flux.resize(photons);
     }
 
-    /// Becomes `from`'s photons `order[0]`, `order[1]`, ...
+    /// Copies the photons `order[0]`, `order[1]`, ... of `from` into this batch.
     void gather(const PhotonBatch& from, std::span<const std::uint32_t> order);
 };
 

@@ -6,7 +6,7 @@
 namespace common {
 namespace {
 
-/// Two zero bits after each of the lowest three.
+/// Inserts two zero bits after each of the lowest three.
 std::uint32_t spread(std::uint32_t bits) {
     return (bits & 1) | (bits & 2) << 2 | (bits & 4) << 4;
 }
@@ -44,7 +44,7 @@ void PhotonOrder::find_keys(const PhotonBatch& photons) {
 std::span<const std::uint32_t> PhotonOrder::sort(const PhotonBatch& photons,
                                                  std::span<const std::uint32_t> alive) {
     find_keys(photons);
-    // A counting sort. The dead are counted too and sorted to nowhere: no branch to mispredict.
+    // A counting sort. Dead photons are written to a slot of their own, to avoid mispredicted branches.
     next_.fill(0);
     for (std::size_t i = 0; i < alive.size(); ++i) next_[key_[i]] += alive[i];
     std::uint32_t begin = 0;

@@ -38,19 +38,19 @@ Rgb power_of(const DirectionalEmitter& e) {
     return e.light.irradiance * e.entry.area_across(e.light.direction);
 }
 
-/// Each point of the box lets pi L through towards the inside.
+/// The irradiance at each point of the box is pi L towards the inside.
 Rgb power_of(const SkyEmitter& e) {
     return e.sky.radiance * (pi * e.entry.area());
 }
 
 // --- emission: a photon that carries the emitter's whole power
 
-/// W/(m^2 sr) on average over chance: a hole emits nothing.
+/// Returns the mean over coverage, W/(m^2 sr): a hole emits nothing.
 Rgb radiance_at(const Scene& scene, const SurfaceId& surface) {
     return emitted_radiance_at(scene, surface) * coverage_at(scene, surface);
 }
 
-/// Unit vector around +z whose cosine is 1 - `versine`, for angles of any smallness.
+/// Returns a unit vector around +z whose cosine is 1 - `versine`, accurate for arbitrarily small angles.
 Vec3 direction_off_axis(float versine, float turn) {
     const float sine = std::sqrt(versine * (2 - versine));
     const Vec2 azimuth = circle_at(turn);
@@ -84,7 +84,7 @@ EmittedPhoton emit_from(const Scene&, const PointEmitter& e, const EmissionNumbe
     return {e.light.position, direction, direction, power_of(e)};
 }
 
-/// The same as for wide cones, in terms of 1 - cosine.
+/// Does the same as for wide cones, in terms of 1 - cosine.
 EmittedPhoton emit_from_narrow(const SpotLight& light, const EmissionNumbers& numbers) {
     const auto inner = static_cast<float>(1 - light.cos_inner_angle),
                outer = static_cast<float>(1 - light.cos_outer_angle);
@@ -105,7 +105,7 @@ EmittedPhoton emit_from(const Scene&, const SpotEmitter& e, const EmissionNumber
     return {e.light.position, direction, direction, e.light.intensity * (ramp * ramp * 2 * pi * (1 - outer))};
 }
 
-/// Starts before the box, as surfaces may lie on its faces.
+/// Starts outside the box, as surfaces may lie on its faces.
 EmittedPhoton emit_from(const Scene&, const DirectionalEmitter& e, const EmissionNumbers& numbers, double) {
     const Vec3& direction = e.light.direction;
     const BoundsEntry::Place place =
@@ -138,7 +138,7 @@ class TexturedEmission {
         most_cells_ = cells_in_all / std::max<std::size_t>(1, triangles);
     }
 
-    /// Nothing for a triangle without such a texture.
+    /// Returns null for a triangle without such a texture.
     std::shared_ptr<const EmissionCells> cells_of(std::uint32_t triangle) {
         const Material& material = scene_.material_of(triangle);
         if (!is_textured(material)) return nullptr;
@@ -157,8 +157,8 @@ class TexturedEmission {
     std::size_t most_cells_;
 };
 
-/// Holes included. Where there are some, by a fixed grid of points: a lamp with a hole at all of them still
-/// gets a share of the photons.
+/// Returns the mean with holes included. With holes it is estimated on a fixed grid of points; a lamp with
+/// holes at all of them still gets a share of the photons.
 Rgb mean_emitted_radiance(const Scene& scene, std::uint32_t triangle, const EmissionCells* cells) {
     const CoverageRange coverage = coverage_range(scene, triangle);
     const Rgb whole =
@@ -196,14 +196,14 @@ AreaEmitter area_emitter(const Scene& scene, std::uint32_t triangle,
 
 // --- point lights
 
-/// From farther than this, in radii of the scene's bounding sphere, light is emitted towards it alone: all
-/// around, fewer than 7 in 100 photons would meet it.
+/// Beyond this distance, in radii of the scene's bounding sphere, a light emits only towards the sphere. Of
+/// photons in all directions, fewer than 7 in 100 would hit it.
 constexpr double far_in_radii = 2;
 
 PointEmitter point_emitter(const Scene& scene, const PointLight& light) {
     if (scene.bounds.isEmpty()) return {light, {}};
     const Imath::V3d towards = Imath::V3d(scene.bounds.center()) - Imath::V3d(light.position);
-    // A little more than the sphere, for rounding.
+    // A little larger than the sphere, for rounding.
     const double radius = 0.501 * static_cast<double>(scene.diagonal()), distance = towards.length();
     if (distance <= far_in_radii * radius) return {light, {}};
     const double sine = radius / distance;
@@ -211,7 +211,7 @@ PointEmitter point_emitter(const Scene& scene, const PointLight& light) {
     return {light, Cone{Vec3(towards / distance), static_cast<float>(versine)}};
 }
 
-/// Always inline: only then does the loop over photons become vector code, a tenth of all tracing.
+/// Always inline, as only then the compiler vectorises the loop over photons: a tenth of the time of tracing.
 [[gnu::always_inline]] inline EmissionNumbers numbers_of(std::uint64_t seed, std::uint64_t index) {
     const auto at = random_uniforms(seed, index, 0, RandomPurpose::emission_origin);
     const auto towards = random_uniforms(seed, index, 0, RandomPurpose::emission_direction);
@@ -254,7 +254,7 @@ void PhotonSource::weigh_by_pilot() {
     std::vector<double> factor;
     for (const LightReach& reach : pilot_.light)
         factor.push_back(reach.missed > 0.5 ? std::max(1 - reach.missed, least) : 1.0);
-    // Where all lose alike, there is nothing to choose between.
+    // If all lose the same share, the probabilities do not change.
     if (std::all_of(factor.begin(), factor.end(), [&](double f) { return f == factor.front(); })) return;
     double sum = 0;
     for (std::size_t e = 0; e < emitters_.size(); ++e)
@@ -282,11 +282,11 @@ EmittedPhoton PhotonSource::emit(std::uint64_t seed, std::uint64_t index) const 
 }
 
 EmittedPhoton PhotonSource::emit(const EmissionNumbers& numbers) const {
-    // Two numbers make one of 48 bits: 24 would never reach the faintest of many lights.
+    // Two numbers make one of 48 bits: with 24 bits, the faintest of many lights would never be chosen.
     const double choice = (numbers.at[0] + numbers.at[3] * 0x1p-24) * cumulative_.back();
     const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), choice);
     const std::size_t chosen = std::min<std::size_t>(found - cumulative_.begin(), emitters_.size() - 1);
-    // What the choice leaves over of its number chooses the place.
+    // The remainder of the number chooses the place.
     const double before = chosen == 0 ? 0.0 : cumulative_[chosen - 1];
     const double within = std::clamp((choice - before) / (cumulative_[chosen] - before), 0.0, 1 - 0x1p-30);
     EmittedPhoton photon = emit_from(chosen, numbers, within);
@@ -302,7 +302,7 @@ EmittedPhoton PhotonSource::emit_from(std::size_t emitter, const EmissionNumbers
 
 void PhotonSource::emit(std::uint64_t seed, std::uint64_t first_photon, float surface_offset,
                         PhotonBatch& photons) const {
-    // The random numbers first, a few photons at a time: that loop becomes vector code.
+    // First the random numbers, for a few photons at a time, in a loop that the compiler vectorises.
     constexpr std::size_t together = 64;
     std::array<EmissionNumbers, together> numbers;
     for (std::size_t begin = 0; begin < photons.size(); begin += together) {

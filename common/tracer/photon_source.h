@@ -1,4 +1,4 @@
-// All light of a scene as one source of photons.
+// All lights of a scene as one source of photons.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace common {
 
-/// Nothing in the scene shines; who calls may say how to add a light.
+/// Thrown if nothing in the scene emits light. The caller may say how to add a light.
 class NoLight : public InputError {
   public:
     using InputError::InputError;
@@ -30,18 +30,18 @@ struct EmittedPhoton {
     Vec3 direction;  ///< unit, the way it travels
     Vec3 normal;     ///< unit, of the emitting face; the direction itself for lights without a surface
     Rgb flux;        ///< W times the number of photons emitted in the whole run
-    std::optional<std::uint32_t> triangle = {};  ///< that it leaves, where the light has a surface
+    std::optional<std::uint32_t> triangle = {};  ///< the triangle that it leaves, if the light has a surface
 };
 
 /// A triangle that emits with a cosine lobe, from its front or from both faces.
 struct AreaEmitter {
     std::uint32_t triangle;
     bool both_faces;
-    std::shared_ptr<const EmissionCells> cells;  ///< of an emissive texture; none without
-    bool varies;                                 ///< from place to place: texture, or holes
+    std::shared_ptr<const EmissionCells> cells;  ///< for an emissive texture; null without one
+    bool varies;                                 ///< over the triangle, because of a texture or holes
     float area;
-    Rgb mean_radiance;  ///< over the triangle, holes included; chooses the emitter, and is what it emits if
-                        ///< that does not vary
+    Rgb mean_radiance;  ///< mean over the triangle, holes included; weight for choosing the emitter, and its
+                        ///< radiance if that does not vary
     Vec3 corner, edge_u, edge_v;
     Frame frame;  ///< around the front normal
 };
@@ -52,7 +52,7 @@ struct Cone {
     float versine;  ///< 1 - cosine of half its angle
 };
 
-/// Emits all around, or from afar only towards the scene.
+/// Emits in all directions, or from far away only towards the scene.
 struct PointEmitter {
     PointLight light;
     std::optional<Cone> towards_scene;
@@ -82,44 +82,45 @@ struct EmissionNumbers {
     Vec3 lobe;                         ///< cosine-distributed around +z, made of `towards`
 };
 
-/// Of photon number `index` of the run with this seed.
+/// Returns those of photon number `index` of the run with this seed.
 [[nodiscard]] EmissionNumbers emission_numbers(std::uint64_t seed, std::uint64_t index);
 
 class PhotonSource {
   public:
-    /// Throws InputError where the scene has no light. `scene` must outlive this object.
+    /// Throws NoLight, an InputError, if the scene has no light. `scene` must outlive this object.
     explicit PhotonSource(const Scene& scene);
 
-    /// Sends a pilot first. A light that loses more than half of what it emits gets photons in proportion to
-    /// what it does not lose, at least to a hundredth, and where light does not end, photons are given up
-    /// earlier. All other scenes have the photons that they have without.
+    /// Sends a pilot first. A light that loses more than half of its photons gets a number in proportion to
+    /// what it does not lose, but at least a hundredth of its share. If hardly any photon is absorbed or
+    /// escapes, photons are given up earlier. All other scenes have the same photons as without a pilot.
     explicit PhotonSource(const RayScene& rays);
 
-    /// Photon number `index` of the run with this seed. Lights are chosen in proportion to their power.
+    /// Returns photon number `index` of the run with this seed. Lights are chosen in proportion to their
+    /// power.
     [[nodiscard]] EmittedPhoton emit(std::uint64_t seed, std::uint64_t index) const;
 
-    /// Photons `first_photon`, ... of the run, as `emit` makes them, moved off their lights by
-    /// `surface_offset`; as many as `photons` has room for.
+    /// Emits photons `first_photon`, ... of the run as above, offset from their lights by `surface_offset`;
+    /// as many as `photons` has room for.
     void emit(std::uint64_t seed, std::uint64_t first_photon, float surface_offset,
               PhotonBatch& photons) const;
 
-    /// Sum over all lights, W: of those outside, what enters the scene's bounds.
+    /// Returns the power of all lights, W; of those outside, the power that enters the scene's bounds.
     [[nodiscard]] const Rgb& power() const { return power_; }
 
     [[nodiscard]] std::span<const Emitter> emitters() const { return emitters_; }
 
-    /// Of one emitter, W, mean over the channels.
+    /// Returns the power of one emitter, W, mean over the channels.
     [[nodiscard]] double mean_power(std::size_t emitter) const;
 
-    /// A photon with all power of one emitter. Of `numbers`, the first and the last for its origin are not
-    /// used; `within` is uniform in [0, 1).
+    /// Returns a photon with the whole power of one emitter. Does not use the first and the last of the
+    /// `numbers` for its origin; `within` is uniform in [0, 1).
     [[nodiscard]] EmittedPhoton emit_from(std::size_t emitter, const EmissionNumbers& numbers,
                                           double within = 0.5) const;
 
-    /// What the pilot has found; nothing of any light where none was sent.
+    /// Returns the results of the pilot; empty if none was sent.
     [[nodiscard]] const Pilot& pilot() const { return pilot_; }
 
-    /// Surfaces that a photon may meet before it is given up.
+    /// Returns the number of surfaces that a photon may hit before it is given up.
     [[nodiscard]] std::uint32_t most_events() const { return most_events_; }
 
   private:
@@ -130,8 +131,8 @@ class PhotonSource {
     const Scene* scene_;
     std::vector<Emitter> emitters_;
     std::vector<float> inverse_probability_;  ///< of choosing each emitter
-    std::vector<double> cumulative_;          ///< sum up to and with each emitter of its power, mean over the
-                                              ///< channels, W, times what the pilot says
+    std::vector<double> cumulative_;          ///< cumulative power up to and including each emitter, mean
+                                              ///< over the channels, W, times the factor from the pilot
     Rgb power_{0, 0, 0};
     Pilot pilot_;
     std::uint32_t most_events_ = max_events;

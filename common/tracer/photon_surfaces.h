@@ -1,4 +1,4 @@
-// What a photon asks of the triangle that it has hit.
+// What the photon tracer needs about a triangle that a photon has hit.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace common {
 
-/// All on one cache line: a photon's triangle is anywhere in memory, and fetching it is most of the cost of
-/// a reflection.
+/// Fits into one cache line. A photon's triangle is anywhere in memory, and fetching it is most of the cost
+/// of a reflection.
 struct alignas(64) PhotonSurface {
     enum Kind : std::uint32_t {
         diffuse,                   ///< Lambertian, one colour
@@ -17,7 +17,7 @@ struct alignas(64) PhotonSurface {
         colored_diffuse,           ///< Lambertian, colour from the vertices
         textured_colored_diffuse,  ///< Lambertian, the product of both
         perforated_diffuse,        ///< Lambertian with holes
-        specular                   ///< mirror, glass, or nowhere there: stores nothing
+        specular                   ///< mirror, glass, or coverage 0 everywhere: stores nothing
     };
 
     Vec3 corner, edge_u, edge_v;  ///< world units: position = corner + u edge_u + v edge_v
@@ -27,8 +27,8 @@ struct alignas(64) PhotonSurface {
 
     [[nodiscard]] Vec3 position(float u, float v) const { return corner + edge_u * u + edge_v * v; }
 
-    /// Whether photons that arrive on it are hits. Those that go on through a hole are too: the light that
-    /// arrives at a place does not depend on how much of the surface is there.
+    /// Returns whether photons that arrive here are recorded as hits. Those that pass through a hole are
+    /// recorded too, as the irradiance at a place does not depend on its coverage.
     [[nodiscard]] bool stores() const { return kind != specular; }
     [[nodiscard]] bool is_textured() const {
         return kind == textured_diffuse || kind == textured_colored_diffuse;
@@ -36,20 +36,20 @@ struct alignas(64) PhotonSurface {
     [[nodiscard]] bool is_colored() const {
         return kind == colored_diffuse || kind == textured_colored_diffuse;
     }
-    /// Whether `base_color`, with texture and vertex colours, is all there is to know: if not, scatter() says
-    /// what becomes of a photon.
+    /// Returns whether `base_color`, with texture and vertex colours, determines the reflection. If not,
+    /// scatter() must be called.
     [[nodiscard]] bool is_simple() const { return kind < perforated_diffuse; }
 };
 
-/// How a textured triangle's base color is found.
+/// The texture of a triangle's base colour.
 struct alignas(32) SurfaceTexture {
     Vec2 corner, edge_u, edge_v;       ///< texture coordinates, as in PhotonSurface
-    const Texture* texture = nullptr;  ///< times PhotonSurface::base_color
+    const Texture* texture = nullptr;  ///< factor of PhotonSurface::base_color
 
     [[nodiscard]] Vec2 texcoord(float u, float v) const { return corner + edge_u * u + edge_v * v; }
 };
 
-/// Vertex colours of a triangle, as in PhotonSurface: times its base color, and times that of its texture.
+/// The vertex colours of a triangle, laid out as in PhotonSurface: factors of its base colour and texture.
 struct alignas(64) SurfaceColors {
     Rgb corner, edge_u, edge_v;
 
@@ -65,16 +65,16 @@ class PhotonSurfaces {
         return surfaces_[triangle];
     }
 
-    /// Of a triangle that is_textured().
+    /// Valid only for a triangle that is_textured().
     [[nodiscard]] const SurfaceTexture& texture(std::uint32_t triangle) const { return textures_[triangle]; }
 
-    /// Of a triangle that is_colored().
+    /// Valid only for a triangle that is_colored().
     [[nodiscard]] const SurfaceColors& colors(std::uint32_t triangle) const { return colors_[triangle]; }
 
   private:
     HugePageVector<PhotonSurface> surfaces_;   ///< one per triangle
-    HugePageVector<SurfaceTexture> textures_;  ///< one per triangle; none where nothing is textured
-    HugePageVector<SurfaceColors> colors_;     ///< one per triangle; none where nothing is colored
+    HugePageVector<SurfaceTexture> textures_;  ///< one per triangle; none if no triangle is textured
+    HugePageVector<SurfaceColors> colors_;     ///< one per triangle; none if no triangle is colored
 };
 
 }  // namespace common

@@ -12,19 +12,19 @@
 namespace common {
 namespace {
 
-constexpr std::uint64_t pilot_seed = 0x50494c4f54;  // no run's, but for one in 2^64
+constexpr std::uint64_t pilot_seed = 0x50494c4f54;  // the seed of a run with a probability of 2^-64
 
-/// Photons of all lights together, but at least and at most so many of each.
+/// The number of photons of all lights together, and its limits for each light.
 constexpr std::size_t photons_in_all = 1 << 15, least_photons = 64, most_photons = 1 << 12;
 constexpr std::uint64_t photons_to_the_end = 32;
 
 enum class Arrival { none, front, back, absorbed };
 
-/// Where a photon first meets a diffuse surface.
+/// Returns on which side a photon first hits a diffuse surface.
 Arrival first_arrival(const RayScene& rays, const EmittedPhoton& photon, std::uint64_t number) {
     const Scene& scene = rays.scene();
     Vec3 origin = rays.off_surface(photon.origin, photon.normal), direction = photon.direction;
-    constexpr std::uint32_t most_events = 64;  // through more glass than that, it may count as lost
+    constexpr std::uint32_t most_events = 64;  // light behind more glass than that may count as lost
     for (std::uint32_t event = 0; event < most_events; ++event) {
         const auto met = rays.nearest(origin, direction);
         if (!met) return Arrival::none;
@@ -42,7 +42,7 @@ Arrival first_arrival(const RayScene& rays, const EmittedPhoton& photon, std::ui
     return Arrival::none;
 }
 
-/// Whether nothing ends a photon before max_events.
+/// Returns whether a photon is still alive after max_events surfaces.
 bool is_endless(const RayScene& rays, const EmittedPhoton& photon, std::uint64_t number) {
     Vec3 origin = rays.off_surface(photon.origin, photon.normal), direction = photon.direction;
     Rgb flux = photon.flux;
@@ -74,7 +74,7 @@ std::string name_of(const Scene& scene, const Emitter& emitter) {
     return "the sky";
 }
 
-/// Triangles of one material are one light, everything else is one of its own.
+/// Treats the triangles of one material as one light, and every other emitter as one of its own.
 class Lights {
   public:
     Lights(const Scene& scene, const PhotonSource& source, Pilot& pilot) : source_(source), pilot_(pilot) {
@@ -105,7 +105,7 @@ class Lights {
         double emitted = 0, missed = 0, on_backs = 0;
         for (std::size_t i = 0; i < photons; ++i) {
             const std::uint64_t number = light * most_photons + i;
-            // Evenly spread over the light's emitters and, where they have a texture, what shines on each.
+            // Stratified over the light's emitters and, on those with a texture, over their emission.
             const double place =
                 emitters.cumulative.back() * (static_cast<double>(i) + 0.5) / static_cast<double>(photons);
             const auto chosen =
@@ -127,7 +127,7 @@ class Lights {
     }
 
   private:
-    /// Of one light.
+    /// The emitters of one light.
     struct Emitters {
         std::vector<std::size_t> number;
         std::vector<double> cumulative;  ///< power

@@ -8,7 +8,7 @@
 namespace common {
 namespace {
 
-/// Largest coordinate of the scene: what its rounding errors are proportional to.
+/// Returns the largest absolute coordinate of the scene, to which its rounding errors are proportional.
 float magnitude(const Imath::Box3f& bounds) {
     float largest = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -24,7 +24,7 @@ RayScene::RayScene(const Scene& scene)
       offset_(magnitude(scene.bounds) * 16 * std::numeric_limits<float>::epsilon()),
       device_(start_embree()),
       embree_(make_embree_scene(device_.get(), scene.position, scene.triangle)) {
-    // What leaves one of them starts well before the others.
+    // Rays that leave one of them start well in front of the others.
     const float tolerance = offset_ / 2;
     coinciding_triangles_ = find_coinciding_triangles(scene, tolerance);
     const std::vector<std::uint32_t>& coinciding = coinciding_triangles_.triangle;
@@ -43,9 +43,9 @@ std::optional<SurfaceId> RayScene::nearest(const Vec3& origin, const Vec3& direc
     return coinciding_->met_at(found, origin, direction, ray_hit.ray.tfar);
 }
 
-/// Measured with photons in PhotonOrder, against single rays: packets of 16 that stay together are 1.4 to 2
-/// times as fast in scenes of few or evenly spread triangles, and half as fast among many small ones, where
-/// each ray goes its own way soon; packets of 8 that may fall apart are 1.05 to 1.4 times as fast everywhere.
+/// Measured with photons in PhotonOrder, relative to single rays. Coherent packets of 16 are 1.4 to 2 times
+/// as fast in scenes of few or evenly spread triangles. They are half as fast among many small triangles,
+/// where rays diverge soon. Incoherent packets of 8 are 1.05 to 1.4 times as fast everywhere.
 constexpr std::size_t most_triangles_for_coherent_packets = 50'000;
 
 void RayScene::nearest(const Vec3Array& origin, const Vec3Array& direction, NearestSurfaces& found) const {
@@ -95,8 +95,8 @@ void RayScene::nearest_in_packets(const Vec3Array& origin, const Vec3Array& dire
     settle_ties(origin, direction, found);
 }
 
-/// A ray that meets an edge, or triangles that coincide, hits several at the same distance, and which of them
-/// is found depends on the packet. One by one it does not.
+/// Traces rays again one by one if they hit an edge or triangles that coincide. Such a ray hits several
+/// triangles at the same distance, and in a packet the result depends on the packet.
 void RayScene::settle_ties(const Vec3Array& origin, const Vec3Array& direction,
                            NearestSurfaces& found) const {
     constexpr float edge = 1e-6f;  // some ulp of 1

@@ -17,7 +17,7 @@ namespace common {
 inline constexpr std::uint32_t no_triangle = 0xffffffff;
 inline constexpr SurfaceId no_surface{no_triangle, 0, 0};
 
-/// What rays have hit, one entry a ray: SurfaceId's fields, or no_triangle.
+/// The hits of rays, one entry per ray: SurfaceId's fields, or no_triangle.
 struct NearestSurfaces {
     std::vector<std::uint32_t> triangle;
     std::vector<float> u, v;
@@ -30,7 +30,7 @@ struct NearestSurfaces {
         v[i] = surface.v;
     }
 
-    /// What is new has no defined value.
+    /// The values of new elements are undefined.
     void resize(std::size_t rays) {
         triangle.resize(rays);
         u.resize(rays);
@@ -43,29 +43,31 @@ class RayScene {
     /// Builds Embree's acceleration structure. `scene` must outlive this object.
     explicit RayScene(const Scene& scene);
 
-    /// Nearest surface from `origin` along `direction`, if there is one no farther than `direction * reach`.
-    /// `direction` may have any length but 0. Where several coincide, CoincidingSurfaces says which.
+    /// Returns the nearest surface from `origin` along `direction`, if there is one no farther than
+    /// `direction * reach`. `direction` may have any length but 0. If several coincide, CoincidingSurfaces
+    /// decides.
     [[nodiscard]] std::optional<SurfaceId> nearest(
         const Vec3& origin, const Vec3& direction,
         float reach = std::numeric_limits<float>::infinity()) const;
 
-    /// The same for many rays, in packets of neighbours: fastest where these travel alike. To the last bit
-    /// what they would hit one by one.
+    /// Finds the same for many rays, in packets of neighbours; fastest if these travel alike. The result
+    /// equals that of single rays to the last bit.
     void nearest(const Vec3Array& origin, const Vec3Array& direction, NearestSurfaces& found) const;
 
-    /// Whether a surface lies between `origin` and `origin + direction * reach`. `direction` may have any
-    /// length but 0; `reach` may be infinite.
+    /// Returns whether a surface lies between `origin` and `origin + direction * reach`. `direction` may have
+    /// any length but 0; `reach` may be infinite.
     [[nodiscard]] bool occluded(const Vec3& origin, const Vec3& direction, float reach) const;
 
-    /// Whether rays that come to `position`, on `triangle`, from the side of `normal` (unit) meet another
-    /// that coincides with it: what it emits there to that side is not seen, and must not shine.
+    /// Returns whether rays that reach `position`, on `triangle`, from the side of `normal` (unit) hit
+    /// another triangle that coincides with it. Then its emission to that side is not visible, and must not
+    /// emit photons.
     [[nodiscard]] bool is_covered(std::uint32_t triangle, const Vec3& position, const Vec3& normal) const;
 
-    /// Whether that may be so of a triangle that emits.
+    /// Returns whether that may happen to a triangle that emits.
     [[nodiscard]] bool may_cover_lights() const { return may_cover_lights_; }
 
-    /// `position`, on a surface with unit normal `normal`, moved off it along `normal` by as much as rounding
-    /// may have put it on the wrong side: rays that leave towards that side start here.
+    /// Returns `position`, on a surface with unit normal `normal`, offset along `normal` by the largest
+    /// rounding error. Rays that leave to that side start here.
     [[nodiscard]] Vec3 off_surface(const Vec3& position, const Vec3& normal) const {
         return position + normal * offset_;
     }
@@ -74,7 +76,7 @@ class RayScene {
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     [[nodiscard]] const PhotonSurfaces& surfaces() const { return surfaces_; }
 
-    /// Those that lie within half of `surface_offset` of each other.
+    /// Returns the triangles that lie within half of `surface_offset` of each other.
     [[nodiscard]] const CoincidingTriangles& coinciding_triangles() const { return coinciding_triangles_; }
 
   private:
@@ -93,7 +95,7 @@ class RayScene {
     EmbreeDevice device_;
     EmbreeScene embree_;
     CoincidingTriangles coinciding_triangles_;
-    std::unique_ptr<const CoincidingSurfaces> coinciding_;  ///< null where none do
+    std::unique_ptr<const CoincidingSurfaces> coinciding_;  ///< null if none coincide
     bool may_cover_lights_ = false;
 };
 

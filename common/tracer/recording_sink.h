@@ -1,4 +1,4 @@
-// Keeps every hit as it came: the input of tests and of benchmarks that time one step alone.
+// Keeps all hits in their order: the input of tests and of benchmarks that time a single step.
 #pragma once
 
 #include "common/tracer/hit_batch.h"

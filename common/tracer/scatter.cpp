@@ -15,7 +15,7 @@ float fresnel_reflectance(float cos_incident, float eta) {
 }
 
 float sheet_reflectance(float cos_incident, float index) {
-    // What enters goes to and fro and leaves a part 1 - R each time: R + (1 - R)^2 R (1 + R^2 + R^4 + ...).
+    // Light that enters leaves by a fraction 1 - R at each boundary: R + (1 - R)^2 R (1 + R^2 + R^4 + ...).
     const float once = fresnel_reflectance(cos_incident, 1 / index);
     return 2 * once / (1 + once);
 }
@@ -63,7 +63,7 @@ std::optional<ScatteredPhoton> scatter(const Scene& scene, const SurfaceId& surf
         return ScatteredPhoton{reflect_diffusely(normal, u[1], u[2]), normal, roulette.flux};
 
     const SpecularDirections specular = specular_directions(scene, surface, direction);
-    // What is below the coverage is as uniform there as it was.
+    // Below the coverage, u[3] is uniform again.
     if (specular.passed && u[3] >= specular.reflectance * coverage)
         return ScatteredPhoton{*specular.passed, -normal, roulette.flux};
     return ScatteredPhoton{specular.reflected, normal, roulette.flux};

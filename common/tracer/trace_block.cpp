@@ -8,7 +8,7 @@
 namespace common {
 namespace {
 
-/// Triangles are asked for this many photons ahead: about the time of a cache miss.
+/// Triangles are prefetched for this many photons ahead: about the time of a cache miss.
 constexpr std::size_t prefetch_distance = 16;
 
 }  // namespace
@@ -64,7 +64,7 @@ void BlockTracer::trace(std::uint64_t block, TracedBlock& traced) {
         if (survived_[i]) traced.fate[reflected_.number[i]] = PhotonFate::given_up;
 }
 
-/// Photons that carry nothing are not sent: they would be hits that show nothing.
+/// Drops photons without flux: their hits would contribute nothing.
 void BlockTracer::drop_dark(TracedBlock& traced) {
     for (std::size_t i = 0; i < reflected_.size(); ++i) {
         if (Rgb(reflected_.flux[i]) != Rgb(0, 0, 0)) continue;
@@ -73,7 +73,7 @@ void BlockTracer::drop_dark(TracedBlock& traced) {
     }
 }
 
-/// Photons end here that leave a light which another surface covers.
+/// Ends photons that start on a light which another surface covers.
 void BlockTracer::drop_covered(std::uint64_t first_photon) {
     for (std::size_t i = 0; i < reflected_.size(); ++i) {
         const EmittedPhoton photon = source_->emit(seed_, first_photon + i);
@@ -82,7 +82,7 @@ void BlockTracer::drop_covered(std::uint64_t first_photon) {
     }
 }
 
-/// Photons that meet nothing end here.
+/// Ends photons that hit nothing.
 void BlockTracer::drop_escaped(std::uint32_t event, TracedBlock& traced) {
     if (std::find(met_.triangle.begin(), met_.triangle.end(), no_triangle) == met_.triangle.end()) return;
     std::size_t kept = 0;
@@ -128,7 +128,7 @@ void BlockTracer::find_arrivals() {
     }
 }
 
-/// In steps, a few photons at a time: each step finds what the one before has asked for in the cache.
+/// In steps, a few photons at a time: each step finds in the cache what the one before has prefetched.
 void BlockTracer::look_up_textures() {
     constexpr std::size_t together = 32;
     std::array<Texture::Footprint, together> footprint;
@@ -172,8 +172,8 @@ void BlockTracer::record_hits(HitBatch& hits) {
     hits.resize(next);
 }
 
-/// As if all surfaces were diffuse and whole: the few that are not come after. Nothing but vector code: no
-/// branch, no call.
+/// Treats all surfaces as diffuse and opaque; the few others are handled afterwards. No branch and no call,
+/// so that the compiler vectorises the loop.
 void BlockTracer::reflect_diffuse(std::uint64_t first_photon, std::uint32_t event) {
     const std::size_t count = photons_.size();
     reflected_.resize(count);

@@ -17,29 +17,29 @@ enum class PhotonFate : std::uint8_t {
     escaped,  ///< left the scene after meeting a surface
     absorbed,
     given_up,      ///< at PhotonSource::most_events
-    without_light  ///< not sent: its light is dark where it would have started
+    without_light  ///< not sent: its light emits nothing where it would have started
 };
 
 struct TracedBlock {
-    HitBatch hits;  ///< by event number; within an event in the order in which they were traced
+    HitBatch hits;  ///< sorted by event number; within an event in the order in which they were traced
     std::vector<PhotonFate> fate;  ///< one per photon
 
-    /// Leaves out what comes before photon `first` and from photon `end` on, counted from the block's first.
+    /// Leaves out photons before `first` and from `end` on, counted from the block's first.
     void keep_photons(std::uint64_t first, std::uint64_t end);
 
-    /// The number of the photon after the one that, from photon `first` on, makes it `hits` hits;
-    /// photons_per_block where none does.
+    /// Returns the number of photons up to and including the one that, counted from photon `first` on,
+    /// completes `hits` hits; photons_per_block if there are not so many.
     [[nodiscard]] std::uint64_t photons_with(std::uint64_t hits, std::uint64_t first) const;
 };
 
-/// Traces whole blocks of one run. For one thread: keeps the arrays that it works in.
+/// Traces whole blocks of one run. Each thread needs its own, as it keeps its working arrays.
 class BlockTracer {
   public:
-    /// Both must outlive the tracer.
+    /// `rays` and `source` must outlive the tracer.
     BlockTracer(const RayScene& rays, const PhotonSource& source, std::uint64_t seed);
 
-    /// Block b has the run's photons b * photons_per_block and on. What happens to a photon does not depend
-    /// on the others.
+    /// Traces block b: the run's photons from b * photons_per_block on. The path of a photon does not depend
+    /// on the other photons.
     void trace(std::uint64_t block, TracedBlock& traced);
 
   private:
@@ -58,17 +58,17 @@ class BlockTracer {
     std::uint64_t seed_;
 
     PhotonOrder order_;
-    PhotonBatch photons_;                  ///< under way to their next surface
-    NearestSurfaces met_;                  ///< which surface that is
-    Vec3Array position_;                   ///< where they meet it
-    Vec3Array normal_;                     ///< of the side that they meet, unit
-    Vec3Array base_color_;                 ///< of what they meet
-    std::vector<std::uint32_t> stores_;    ///< whether it stores hits, 0 or 1
-    std::vector<std::uint32_t> textured_;  ///< those that meet a texture
-    std::vector<std::uint32_t> colored_;   ///< those that meet vertex colours
-    std::vector<std::uint32_t> others_;    ///< those that meet a mirror, glass, or what has holes
-    PhotonBatch reflected_;                ///< as they leave it again
-    std::vector<std::uint32_t> survived_;  ///< whether they do, 0 or 1
+    PhotonBatch photons_;                  ///< on the way to their next surfaces
+    NearestSurfaces met_;                  ///< these surfaces
+    Vec3Array position_;                   ///< where the photons hit them
+    Vec3Array normal_;                     ///< of the side that they hit, unit
+    Vec3Array base_color_;                 ///< of the surfaces
+    std::vector<std::uint32_t> stores_;    ///< whether the surface stores hits, 0 or 1
+    std::vector<std::uint32_t> textured_;  ///< photons that hit a texture
+    std::vector<std::uint32_t> colored_;   ///< photons that hit vertex colours
+    std::vector<std::uint32_t> others_;    ///< photons that hit a mirror, glass, or a surface with holes
+    PhotonBatch reflected_;                ///< the photons after scattering
+    std::vector<std::uint32_t> survived_;  ///< whether they survive, 0 or 1
 };
 
 }  // namespace common

@@ -1,4 +1,4 @@
-// Photon tracing: blocks of photons in parallel, their hits to a sink.
+// Photon tracing: traces blocks of photons in parallel and passes their hits to a sink.
 #pragma once
 
 #include <functional>
@@ -9,16 +9,15 @@
 
 namespace common {
 
-/// Called between waves with what is done so far; returns false to end the run there.
+/// Called between waves with the report so far; returns false to end the run there.
 using TraceProgress = std::function<bool(const TraceReport& so_far)>;
 
-/// Traces the photons target.first_photon and on of the run with this seed and gives their hits to `sink`.
-/// `so_far` is what an earlier call has done of them: this one goes on from there to the same end. Between
-/// two waves the sink has taken the hits of the photons so far, and no others.
+/// Traces the photons from target.first_photon on of the run with this seed and passes their hits to `sink`.
+/// `so_far` is the report of an earlier call, which this call continues to the same end. Between two waves
+/// the sink has taken the hits of the photons so far, and no others.
 ///
-/// Which hits the sink gets, and the report's counts, depend on the scene, the seed and the target alone; a
-/// sink that is not unordered gets them in an order that depends on these alone too. Uses the threads of the
-/// calling arena (see ThreadPool).
+/// The hits that the sink gets, and the report's counts, depend only on the scene, the seed and the target.
+/// If the sink is not unordered, so does their order. Uses the threads of the calling arena (see ThreadPool).
 template <PhotonSink Sink>
 TraceReport trace_photons(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
                           TraceTarget target, Sink& sink, const TraceProgress& progress = {},
@@ -42,7 +41,7 @@ TraceReport trace_photons(const RayScene& rays, const PhotonSource& source, std:
     return report;
 }
 
-/// The finished, immutable map of a sink that has taken a whole run.
+/// Returns the finished, immutable map of a sink that has taken a whole run.
 template <MapSink Sink>
 [[nodiscard]] auto finish_map(Sink&& sink, const TraceReport& report) {
     return std::move(sink).finish(report.watts_per_flux());

@@ -1,4 +1,4 @@
-// What a run is asked for, and what has become of it.
+// The target of a run, and its results so far.
 #pragma once
 
 #include <cstdint>
@@ -28,13 +28,13 @@ struct TraceReport {
     double sink_seconds = 0;   ///< wall time inside the sink
     bool interrupted = false;
 
-    /// What turns HitBatch::flux into W. The only place where the number of emitted photons is divided by.
+    /// Returns the factor from HitBatch::flux to W, the only place that divides by the number of photons.
     [[nodiscard]] float watts_per_flux() const {
         return fates.emitted == 0 ? 0.0f : static_cast<float>(1.0 / static_cast<double>(fates.emitted));
     }
 };
 
-/// When a run is long enough: with the photon that reaches both.
+/// The length of a run: it ends with the photon that reaches both numbers.
 struct TraceTarget {
     std::uint64_t photons = 0;  ///< emitted, at least
     std::uint64_t hits = 0;     ///< at least
@@ -49,13 +49,13 @@ struct TraceTarget {
     [[nodiscard]] std::uint64_t missing_hits(const TraceReport& so_far) const {
         return hits > so_far.hits ? hits - so_far.hits : 0;
     }
-    /// The photon that comes next.
+    /// Returns the number of the next photon.
     [[nodiscard]] std::uint64_t next_photon(const TraceReport& so_far) const {
         return first_photon + so_far.fates.emitted;
     }
 };
 
-/// Throws InputError where so many photons have met nothing that the target will not be reached.
+/// Throws InputError if so many photons have hit nothing that the target will not be reached.
 void check_that_photons_hit(const TraceReport& so_far, const TraceTarget& target);
 
 }  // namespace common

@@ -12,9 +12,9 @@ double blocks_to_photons(const TraceReport& so_far, const TraceTarget& target) {
     return static_cast<double>(target.missing_photons(so_far)) / photons_per_block;
 }
 
-/// As far as what has been traced tells.
+/// Estimates the blocks that are needed, from what has been traced so far.
 double blocks_to_hits(const TraceReport& so_far, const TraceTarget& target) {
-    // Until something is known: one hit for each photon, and a quarter of the way to learn more.
+    // Before anything is known, assumes one hit per photon, and goes a quarter of the way to learn more.
     const double photons_per_hit =
         so_far.hits == 0 ? 0.25
                          : static_cast<double>(so_far.fates.emitted) / static_cast<double>(so_far.hits);
@@ -31,7 +31,7 @@ std::size_t blocks_in_next_wave(const TraceReport& so_far, const TraceTarget& ta
 
 std::size_t whole_blocks_ahead(const TraceReport& so_far, const TraceTarget& target) {
     if (target.next_photon(so_far) % photons_per_block != 0) return 0;
-    // Photons have their hits in different numbers: nine tenths of the way are safe from chance.
+    // Photons have different numbers of hits; nine tenths of the estimate are safe.
     const double hits_are_safe = so_far.hits == 0 ? 0 : 0.9 * blocks_to_hits(so_far, target);
     const double safe = std::max(blocks_to_photons(so_far, target), hits_are_safe);
     if (safe < 8) return 0;

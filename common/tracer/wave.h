@@ -1,4 +1,4 @@
-// Blocks traced between two looks at the target, in the two ways that sinks want their hits.
+// Blocks traced between two tests of the target, in the two ways in which sinks take hits.
 #pragma once
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
@@ -11,26 +11,27 @@
 
 namespace common {
 
-/// Blocks whose hits are kept until the sink reads them, at most: enough to keep every thread busy.
+/// Limit of the blocks whose hits are kept until the sink reads them: enough to keep every thread busy.
 inline constexpr std::size_t max_blocks_per_ordered_wave = 32;
 
-/// Blocks a thread traces between two calls of TraceProgress, at most: enough to wait for the slowest thread
-/// for a small part of the time only.
+/// Limit of the blocks that a thread traces between two calls of TraceProgress. With that many, waiting for
+/// the slowest thread takes only a small part of the time.
 inline constexpr std::size_t max_blocks_per_thread = 32;
 
-/// How many blocks the next ordered wave should have so as not to trace much more than the target needs.
-/// Costs time only when wrong: the run ends at the same photon for any size of wave.
+/// Returns how many blocks the next ordered wave should have, so as not to trace much more than the target
+/// needs. A wrong number costs only time: the run ends at the same photon for any size of wave.
 [[nodiscard]] std::size_t blocks_in_next_wave(const TraceReport& so_far, const TraceTarget& target);
 
-/// How many blocks can be traced without reaching the target: 0 where it is near, where nothing is known yet,
-/// and in the middle of a block. More for more threads, which changes nothing but when progress is called.
+/// Returns how many blocks can be traced without reaching the target: 0 if it is near, if nothing is known
+/// yet, and in the middle of a block. The number grows with the threads, which only changes when progress is
+/// called.
 [[nodiscard]] std::size_t whole_blocks_ahead(const TraceReport& so_far, const TraceTarget& target);
 
-/// Leaves of a block, the one that has the run's next photon, those photons that the run still needs, and
-/// adds them to the report.
+/// Keeps, of the block with the run's next photon, only those photons that the run still needs, and adds them
+/// to the report.
 void take_photons(TracedBlock& block, const TraceTarget& target, TraceReport& report);
 
-/// Traces a wave whole, then gives it to the sink as one, cut where the target is reached.
+/// Traces a whole wave, then passes it to the sink at once, cut where the target is reached.
 class OrderedWaves {
   public:
     OrderedWaves(const RayScene& rays, const PhotonSource& source, std::uint64_t seed)
@@ -61,7 +62,7 @@ class OrderedWaves {
     std::vector<HitBatch> batches_;
 };
 
-/// Each thread gives each block to the sink as soon as it is traced.
+/// Passes each block to the sink as soon as it is traced, on the same thread.
 class UnorderedWaves {
   public:
     UnorderedWaves(const RayScene& rays, const PhotonSource& source, std::uint64_t seed)
@@ -82,14 +83,14 @@ class UnorderedWaves {
         for (Worker& worker : workers_) worker.report_to(wave);
         report.fates += wave.fates;
         report.hits += wave.hits;
-        // Threads trace and store at the same time: the wall time is shared out as their time was.
+        // Threads trace and store at the same time, so the wall time is divided in proportion to their times.
         const double wall = clock.lap(), worked = wave.trace_seconds + wave.sink_seconds;
         report.sink_seconds += wall * wave.sink_seconds / worked;
         report.trace_seconds += wall * wave.trace_seconds / worked;
     }
 
   private:
-    /// One thread's.
+    /// The state of one thread.
     class Worker {
       public:
         Worker(const RayScene& rays, const PhotonSource& source, std::uint64_t seed)
@@ -106,7 +107,7 @@ class UnorderedWaves {
             done_.sink_seconds += clock.lap();
         }
 
-        /// Adds what was done since the last time.
+        /// Adds the results since the last call.
         void report_to(TraceReport& report) {
             report.fates += done_.fates;
             report.hits += done_.hits;

@@ -1,4 +1,4 @@
-// Where a camera looks through each pixel.
+// Rays of a camera through its pixels.
 #pragma once
 
 #include "common/scene/scene.h"
@@ -10,7 +10,7 @@ class CameraRays {
   public:
     CameraRays(const Camera& camera, int width, int height);
 
-    /// Unit direction from the eye through the centre of pixel (x, y).
+    /// Returns the unit direction from the eye through the centre of pixel (x, y).
     [[nodiscard]] Vec3 direction(int x, int y) const;
 
   private:

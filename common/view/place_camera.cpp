@@ -25,8 +25,8 @@ std::vector<Vec3> viewpoints(const Imath::Box3f& bounds) {
     return eyes;
 }
 
-/// What a small image from there would show: the share of pixels with front faces, times the mean of how far
-/// they are (a wall before the eye shows nothing), levelled off at the scene's size.
+/// Rates a camera by a small image: the fraction of pixels with front faces, times their mean distance (a
+/// wall right before the eye shows nothing). Distances are clamped at the scene's size.
 double score(const RayScene& rays, const Camera& camera) {
     constexpr int width = 32, height = 18;
     const Scene& scene = rays.scene();

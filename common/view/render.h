@@ -1,4 +1,4 @@
-// A finished map and what a camera sees -> image.
+// Renders an image from a finished map and the surfaces that a camera sees.
 #pragma once
 
 #include <oneapi/tbb/parallel_for.h>
@@ -12,15 +12,15 @@
 
 namespace common {
 
-/// Radiance that reaches the camera, W/(m^2 sr), for the irradiance at the surface that is seen.
+/// Returns the radiance that reaches the camera, W/(m^2 sr), for the irradiance at the visible surface.
 [[nodiscard]] inline Rgb radiance_towards_camera(const VisibleSurface& seen, const Rgb& irradiance) {
     return (seen.reflectance * irradiance / std::numbers::pi_v<float> + seen.emitted) * seen.throughput;
 }
 
-/// One gather for each pixel that sees a diffuse surface.
+/// Performs one gather for each pixel that sees a diffuse surface.
 ///
-/// Channels R, G, B: radiance towards the camera, W/(m^2 sr). A: 1 where a diffuse surface is seen, else 0.
-/// irradiance.R, .G, .B: what the map answered for that surface, W/m^2; 0 where there is none.
+/// Channels R, G, B: radiance towards the camera, W/(m^2 sr). A: 1 if a diffuse surface is seen, else 0.
+/// irradiance.R, .G, .B: the map's irradiance at that surface, W/m^2; 0 if there is none.
 template <IrradianceEstimator Map>
 [[nodiscard]] Image render(std::span<const VisibleSurface> pixels, int width, int height, const Map& map) {
     Image image{width, height, {"R", "G", "B", "A", "irradiance.R", "irradiance.G", "irradiance.B"}, {}};

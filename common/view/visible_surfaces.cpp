@@ -12,10 +12,10 @@ namespace {
 
 constexpr int max_specular_events = 32;
 
-/// As for photons: a fence of perfect holes ends.
+/// As for photons, so that a ray through endless holes ends.
 constexpr std::uint32_t max_surfaces = 4096;
 
-/// What the pixel looks at next, past the holes.
+/// Finds the next surface that a pixel sees, past holes.
 class Gaze {
   public:
     Gaze(const RayScene& rays, std::uint64_t pixel) : rays_(rays), pixel_(pixel) {}

@@ -1,4 +1,4 @@
-// Points into the cells of a coarse grid, in the memory that they take already.
+// Sorts points into the cells of a coarse grid, within the memory that they take already.
 #pragma once
 
 #include <Imath/ImathBox.h>
@@ -15,8 +15,8 @@
 
 namespace photonmap {
 
-/// Cubic cells over the points' bounding box in the order of the Morton curve. A cell's number has four bits
-/// for each level, so that the cells of one parent follow one another.
+/// Cubic cells over the points' bounding box in Morton order. A cell's number has four bits per level, so
+/// that the cells of one parent have consecutive numbers.
 class CellGrid {
   public:
     static constexpr int max_levels = 3;
@@ -27,7 +27,7 @@ class CellGrid {
     [[nodiscard]] std::size_t cells() const { return std::size_t{1} << (4 * levels_); }
 
     [[nodiscard]] std::uint32_t cell_of(const common::Vec3& point) const {
-        // Four bits, two zeros between.
+        // Inserts two zeros between the four bits.
         const auto spread = [](float at) {
             auto bits = static_cast<std::uint32_t>(static_cast<int>(std::min(15.0f, std::max(0.0f, at))));
             bits = (bits | bits << 4) & 0xc3;
@@ -43,14 +43,14 @@ class CellGrid {
     int levels_;
 };
 
-/// Records with a `position`, those of a cell together, and in their old order there.
+/// Records with a `position`, sorted by cell; those of a cell keep their order.
 template <class Record>
 struct CellSorted {
     CellGrid grid;
     common::StableArray<Record> records;
-    std::vector<std::size_t> begin;  ///< of each cell, and the end
+    std::vector<std::size_t> begin;  ///< first record of each cell, and the end
 
-    /// The last whole blocks of this size can be given back when a cell has been dealt with.
+    /// When a cell is done, its memory can be released in whole blocks of this size.
     static constexpr std::size_t page_bytes = 4096;
 };
 
@@ -68,8 +68,9 @@ Imath::Box3f bounds_of(std::span<const Record> records) {
         });
 }
 
-/// A counting sort out of place. The new array is filled from the old one's front to back, and what has been
-/// read is given back, so that the two together hardly take more than one of them and two bytes a record.
+/// A counting sort, not in place. The new array is filled while the old one is read from front to back, and
+/// what has been read is released. So both together hardly take more than one of them plus two bytes per
+/// record.
 template <class Record>
 CellSorted<Record> sort_into_cells(common::StableArray<Record>&& unsorted) {
     constexpr std::size_t block = 1 << 15;  // records that one task counts and moves
@@ -89,7 +90,7 @@ CellSorted<Record> sort_into_cells(common::StableArray<Record>&& unsorted) {
             cell[i] = static_cast<std::uint16_t>(grid.cell_of(from[i].position));
     });
 
-    // How many each cell has, of each block apart: added up in a fixed order.
+    // Counts per cell, separately for each block, are added up in a fixed order.
     std::vector<std::uint32_t> counts(blocks_per_chunk * cells);
     const auto count_chunk = [&](std::size_t chunk, std::size_t in_chunk, auto add) {
         tbb::parallel_for(std::size_t{0}, in_chunk, [&](std::size_t b) {

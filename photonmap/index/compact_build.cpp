@@ -7,7 +7,7 @@ std::size_t nodes_for(std::size_t children) {
     return (children + children_per_node - 1) / children_per_node;
 }
 
-/// Nodes between the leaves and the root.
+/// Returns the number of nodes between the leaves and the root.
 std::size_t inner_nodes(std::size_t leaves) {
     std::size_t inner = 0;
     for (std::size_t level = nodes_for(leaves); level > 1; level = nodes_for(level)) inner += level;
@@ -18,7 +18,7 @@ struct Box {
     float low[3], high[3];
 };
 
-/// NaN is never the smaller or the larger one.
+/// Returns the box of the points in a leaf. NaN is never the smaller or the larger one.
 Box box_of(const CompactLeaf& leaf) {
     const float* const lanes[3] = {leaf.x, leaf.y, leaf.z};
     Box box;
@@ -59,7 +59,7 @@ CompactNode node_over(const Children& children, std::size_t first, std::size_t c
     return node;
 }
 
-/// Nodes of every level above the cells, the root's first; cells with the same leading bits share one.
+/// Returns the nodes of every level above the cells, from the root; cells with equal leading bits share one.
 std::vector<std::vector<std::uint32_t>> prefixes_above(std::span<const CompactShape::Cell> cells,
                                                        int levels) {
     std::vector<std::vector<std::uint32_t>> prefixes(static_cast<std::size_t>(levels));

@@ -9,40 +9,39 @@
 
 namespace photonmap {
 
-/// Where the leaves and nodes of each cell go, from the numbers of its points alone.
+/// The places of each cell's leaves and nodes, computed from the cells' numbers of points alone.
 struct CompactShape {
     struct Cell {
-        std::uint32_t number;                         ///< in the grid
+        std::uint32_t number;                         ///< number in the grid
         std::size_t first_point, points;              ///< in the sorted records
         std::uint32_t first_leaf, root, first_inner;  ///< in the tree; inner nodes from the leaves up
     };
-    std::vector<Cell> cells;  ///< those that have points
+    std::vector<Cell> cells;  ///< only those that have points
     std::size_t nodes_above_cells = 0, leaves = 0, nodes = 0;
 
     CompactShape(const CellGrid& grid, std::span<const std::size_t> begin);
 };
 
-/// Lanes without a point become NaN.
+/// Fills a leaf; lanes without a point become NaN.
 void fill(CompactLeaf& leaf, std::span<const Member> points);
 
-/// The boxes of a cell whose leaves are filled.
+/// Adds the nodes of a cell whose leaves are filled.
 void add_cell_nodes(const CompactShape::Cell& cell, CompactTree& tree);
 
-/// The nodes above the cells, when those are done.
+/// Adds the nodes above the cells, whose own nodes must be done.
 void add_nodes_above_cells(const CompactShape& shape, const CellGrid& grid, CompactTree& tree);
 
-/// An index over the records' positions. A record with `position` is given its place in the index, and
-/// `place(index, record)` is called for each once, by any thread, to bring what else it has there; before
-/// that `reserve(places)` says how many places there are. Places are a little more than records: each cell
-/// ends with a leaf of its own.
+/// Builds an index over the `position` of records. First calls `reserve(places)` with the number of places in
+/// the index. Then calls `place(index, record)` once for each record, on any thread, to store its other data
+/// at its place. There are slightly more places than records, as each cell ends with a leaf of its own.
 ///
-/// Takes little more memory than the records themselves and the finished index, whichever is more: what has
-/// been read is given back. Uses the threads of the calling arena; the result does not depend on them.
+/// Takes little more memory than the records or the finished index, whichever is more, as what has been read
+/// is released. Uses the threads of the calling arena; the result does not depend on them.
 ///
-/// Points go into a coarse grid first and in each cell into a kd-tree with cuts at medians along the widest
-/// axis. Measured at 1e7 photons of cornell.glb, leaves of 16 and nodes that a search for 50 meets: 12 and 9
-/// in this order (8 and 8 with the leaves of 32 that are used), 21 and 15 along a Hilbert curve, 42 and 29
-/// along a Morton curve.
+/// Points are sorted into a coarse grid, and in each cell into a kd-tree that is split at medians along the
+/// widest axis. Measured with 1e7 photons of cornell.glb and leaves of 16, a search for 50 visits 12 leaves
+/// and 9 nodes in this order (8 and 8 with the leaves of 32 that are used). It visits 21 and 15 along a
+/// Hilbert curve, 42 and 29 along a Morton curve.
 template <class Record, class Reserve, class Place>
 [[nodiscard]] CompactIndex build_compact_index(common::StableArray<Record>&& records, Reserve reserve,
                                                Place place) {

@@ -1,4 +1,4 @@
-// Our own point index: exact, small, and fast to build and to ask.
+// Our own point index: exact, small, and fast to build and to query.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace photonmap {
 
-/// A tree of boxes, 16 to a node, over leaves of 32 points that it owns. Made by build_compact_index, which
-/// gives the points new indices: places in the leaves, not all of them taken.
+/// A BVH with 16 children per node and leaves of 32 points, which it owns. build_compact_index() makes it and
+/// gives the points new indices: places in the leaves, of which some stay empty.
 class CompactIndex {
   public:
-    /// Places that an index of 32 bits has, less what the grid's cells may leave empty.
+    /// The places that 32 bits can index, less those that the grid's cells may leave empty.
     static constexpr std::size_t max_points = 0xffffffff - 4096 * points_per_leaf;
 
     CompactIndex(CompactTree tree, std::size_t points) : tree_(std::move(tree)), size_(points) {}
@@ -48,13 +48,14 @@ class CompactIndex {
     [[nodiscard]] const CompactTree& tree() const { return tree_; }
 
   private:
-    /// What is still to be looked at: a node, or with the highest bit a leaf.
+    /// A node still to be visited, or a leaf if the highest bit is set.
     struct Ahead {
-        float distance_sq;  ///< to its box; as rounded, no more than the distance as rounded to a point in it
+        float distance_sq;  ///< to its box; also after rounding, no more than that to any point in the box
         std::uint32_t where;
     };
     static constexpr std::uint32_t is_leaf = 0x80000000;
-    /// Three levels of cells and seven below hold 2^32 points; each leaves 15 siblings of the next.
+    /// Three levels of cells and seven below hold 2^32 points. Each leaves 15 siblings of the node visited
+    /// next.
     static constexpr std::size_t most_ahead = 10 * (children_per_node - 1) + children_per_node;
 
     template <class Collector, class Accept>
@@ -73,7 +74,7 @@ class CompactIndex {
         }
     }
 
-    /// Pushes the children within reach, the farthest first. Returns how many are ahead then.
+    /// Pushes the children within reach, the farthest first. Returns the new size of the stack.
     std::size_t push_children(const CompactNode& node, const common::Vec3& query, float reach_sq,
                               std::array<Ahead, most_ahead>& stack, std::size_t ahead) const {
         std::array<float, children_per_node> distance_sq;
@@ -99,7 +100,7 @@ class CompactIndex {
         return ahead;
     }
 
-    /// A bit for each.
+    /// Returns one bit for each distance.
     template <std::size_t N>
     static std::uint32_t within(const std::array<float, N>& distance_sq, float reach_sq) {
         std::uint32_t bits = 0;
@@ -107,7 +108,7 @@ class CompactIndex {
         return bits;
     }
 
-    /// Most of a search in a large map is waiting for memory.
+    /// A search in a large map mostly waits for memory.
     void prefetch(std::uint32_t where) const {
         if (where & is_leaf)
             common::prefetch<common::PrefetchFor::reading>(tree_.leaves[where & ~is_leaf]);

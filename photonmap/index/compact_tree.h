@@ -16,7 +16,7 @@ struct CompactLeaf {
     float x[points_per_leaf], y[points_per_leaf], z[points_per_leaf];
 };
 
-/// Bounding boxes of up to 16 children that follow one another, in the nodes or in the leaves.
+/// Bounding boxes of up to 16 consecutive children, in the nodes or in the leaves.
 struct CompactNode {
     float low[3][children_per_node], high[3][children_per_node];
     std::uint32_t first_child;
@@ -24,7 +24,7 @@ struct CompactNode {
     std::uint16_t has_leaves;  ///< 1: the children are leaves
 };
 
-/// Node 0 is the root; none where there are no points.
+/// Node 0 is the root; there is none without points.
 struct CompactTree {
     common::StableArray<CompactLeaf> leaves;
     common::StableArray<CompactNode> nodes;

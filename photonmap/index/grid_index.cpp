@@ -12,7 +12,8 @@ namespace photonmap {
 namespace {
 
 /// Calls `use(cell, index)` for every point, in ascending order within a cell. Each thread takes the points
-/// of its own range of cells: none waits for another, and the order does not depend on how many there are.
+/// of its own range of cells. So none waits for another, and the order does not depend on the number of
+/// threads.
 template <class Use>
 void for_each_in_its_cell(const GridCells& cells, std::span<const common::Vec3> points, Use use) {
     const std::size_t parts = std::min<std::size_t>(tbb::this_task_arena::max_concurrency(), cells.count());
@@ -71,7 +72,7 @@ GridIndex::GridIndex(std::span<const common::Vec3> points, const GridCells& cell
     : points_(points), cells_(cells) {
     check_count(points.size());
     begins_.resize(cells.count() + 1);
-    std::size_t begun = 0;  // cells whose begin is known
+    std::size_t begun = 0;  // cells whose begin is known already
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t cell = cells.of(points[i]);
         if (cell + 1 < begun)

@@ -1,4 +1,4 @@
-// Points counted into the cells of a uniform grid: for searches within one known radius.
+// A uniform grid of points, for searches within one known radius.
 #pragma once
 
 #include <Imath/ImathBox.h>
@@ -16,12 +16,12 @@ namespace photonmap {
 
 /// The cells: cubes over the points' bounding box, numbered along x first, then y, then z.
 ///
-/// Their side is the radius that will be asked for, so that a ball meets at most three in each direction; it
-/// is larger where that would make more cells than twice the points.
+/// Their side is the radius of the searches, so that a ball intersects at most three cells in each direction.
+/// It is larger if that would make more cells than twice the points.
 class GridCells {
   public:
-    /// `points` finite, radius in their unit, any value. Throws InputError for more points than a GridIndex
-    /// holds.
+    /// `points` must be finite; `radius` is in their unit and may have any value. Throws InputError for more
+    /// points than a GridIndex holds.
     GridCells(std::span<const common::Vec3> points, float radius);
 
     [[nodiscard]] std::size_t count() const { return size_[0] * size_[1] * size_[2]; }
@@ -30,20 +30,20 @@ class GridCells {
         return (along(2, point.z) * size_[1] + along(1, point.y)) * size_[0] + along(0, point.x);
     }
 
-    /// The cell's number along one axis, that of the nearest one for what lies outside. Never falls as `at`
-    /// grows, in spite of rounding.
+    /// Returns the cell's number along one axis, that of the nearest cell for a point outside. Never
+    /// decreases with `at`, in spite of rounding.
     [[nodiscard]] std::size_t along(int axis, double at) const {
         const double cell = (at - minimum_[axis]) * cells_per_unit_;
         return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(size_[axis] - 1)));
     }
 
-    /// First cell of a row along x.
+    /// Returns the first cell of a row along x.
     [[nodiscard]] std::size_t row(std::size_t y, std::size_t z) const {
         return (z * size_[1] + y) * size_[0];
     }
 
-    /// The points' indices by cell; points in the same cell keep their order. A counting sort, with the
-    /// threads of the calling arena; the order does not depend on their number.
+    /// Returns the points' indices sorted by cell; points in the same cell keep their order. A counting sort,
+    /// with the threads of the calling arena; the order does not depend on their number.
     [[nodiscard]] std::vector<std::uint32_t> order(std::span<const common::Vec3> points) const;
 
   private:
@@ -52,26 +52,26 @@ class GridCells {
     std::size_t size_[3] = {1, 1, 1};  ///< cells along each axis
 };
 
-/// Exact for any search; fast where the reach is about the radius that the cells were made for.
+/// Exact for any search; fast if the reach is about the radius that the cells were made for.
 class GridIndex {
   public:
     /// Indices are 32 bits wide.
     static constexpr std::size_t max_points = 0xffffffff;
 
-    /// `points` must outlive the index, be finite, and be in the order of the cells, which were made for
-    /// them. Throws InputError for more than max_points and std::logic_error for another order.
+    /// `points` must outlive the index, be finite, and be sorted by the cells, which were made for them.
+    /// Throws InputError for more than max_points and std::logic_error for another order.
     GridIndex(std::span<const common::Vec3> points, const GridCells& cells);
 
     template <common::PointCollector Collector, class Accept>
     void search(const common::Vec3& query, Collector& collector, Accept accept) const {
-        // The slack is for the rounding of the squared distances.
+        // The slack allows for the rounding of the squared distances.
         const double reach = std::sqrt(double{collector.reach_sq()}) * (1 + 1e-6);
         const auto first = [&](int axis) { return cells_.along(axis, double{query[axis]} - reach); };
         const auto last = [&](int axis) { return cells_.along(axis, double{query[axis]} + reach); };
         const std::size_t x0 = first(0), x1 = last(0), y0 = first(1), y1 = last(1), z1 = last(2);
         for (std::size_t z = first(2); z <= z1; ++z)
             for (std::size_t y = y0; y <= y1; ++y) {
-                // Cells beside each other in x lie one behind the other.
+                // Cells that are neighbours in x are contiguous.
                 const std::size_t row = cells_.row(y, z);
                 for (std::uint32_t i = begins_[row + x0]; i < begins_[row + x1 + 1]; ++i) {
                     const float d = common::distance_sq(query, points_[i]);
@@ -85,7 +85,7 @@ class GridIndex {
   private:
     std::span<const common::Vec3> points_;
     GridCells cells_;
-    std::vector<std::uint32_t> begins_;  ///< of each cell's points, and the end of the last one's
+    std::vector<std::uint32_t> begins_;  ///< first point of each cell, and the end of the last one
 };
 
 static_assert(common::PointIndex<GridIndex>);

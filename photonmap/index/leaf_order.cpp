@@ -3,8 +3,8 @@
 namespace photonmap {
 namespace {
 
-/// Coordinates along the widest axis in whole steps of a part of the extent: what is closer than a step may
-/// come in either order, which is fixed all the same.
+/// Quantises coordinates along the widest axis into steps of the extent. Points closer than a step may come
+/// in either order, but always in the same one.
 struct Steps {
     std::size_t axis;
     float low, per_unit;
@@ -20,7 +20,8 @@ struct Steps {
         axis = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
         low = least[axis];
         per_unit = static_cast<float>(steps) / size[axis];
-        // Coincident points, or an extent so small or large that it has no reciprocal: all in one step.
+        // Coincident points, or an extent that has no reciprocal as it is too small or too large: all in one
+        // step.
         if (!(per_unit <= std::numeric_limits<float>::max())) per_unit = 0;
     }
 
@@ -36,7 +37,7 @@ void LeafCutter::sort(std::span<const Member> members, std::span<Member> out) {
     constexpr int number_bits = 8, steps = (1 << 22) - 1;
     static_assert(most_ranked == 1 << number_bits);
     const Steps step_of(members, steps);
-    // No two alike: the step above, the number below.
+    // All keys differ: the high bits have the step, the low bits the number.
     std::array<int, most_ranked> key, rank{};
     for (std::size_t i = 0; i < members.size(); ++i)
         key[i] = step_of(members[i]) << number_bits | static_cast<int>(i);
@@ -55,7 +56,7 @@ void LeafCutter::select(std::span<const Member> members, std::span<Member> out, 
     constexpr int most_bins = 256;
     const int bins = std::min(most_bins, static_cast<int>(members.size() / 8));
     const Steps bin_of(members, bins - 1);
-    std::array<std::uint32_t, most_bins> even{}, odd{};  // two, for runs of members in one bin
+    std::array<std::uint32_t, most_bins> even{}, odd{};  // two, as consecutive members are often in one bin
     std::size_t i = 0;
     for (; i + 1 < members.size(); i += 2) {
         ++even[static_cast<std::size_t>(bin_of(members[i]))];
@@ -64,7 +65,7 @@ void LeafCutter::select(std::span<const Member> members, std::span<Member> out, 
     if (i < members.size()) ++even[static_cast<std::size_t>(bin_of(members[i]))];
 
     std::size_t below = 0;
-    int edge = 0;  // the bin that the cut is in
+    int edge = 0;  // the bin that contains the split
     const auto in_edge = [&] {
         return std::size_t{even[static_cast<std::size_t>(edge)]} + odd[static_cast<std::size_t>(edge)];
     };
@@ -72,7 +73,7 @@ void LeafCutter::select(std::span<const Member> members, std::span<Member> out, 
 
     const auto edge_begin = out.begin() + static_cast<std::ptrdiff_t>(below);
     const auto edge_end = edge_begin + static_cast<std::ptrdiff_t>(in_edge());
-    // Without branches: nobody could foretell them.
+    // Without branches, as they would be unpredictable.
     std::size_t before = 0, within = below, beyond = below + in_edge();
     for (const Member& member : members) {
         const int bin = bin_of(member);

@@ -1,4 +1,4 @@
-// The points of a cell into the leaves of a kd-tree.
+// Splits the points of a cell into the leaves of a kd-tree.
 #pragma once
 
 #include <Imath/ImathBox.h>
@@ -15,26 +15,26 @@
 
 namespace photonmap {
 
-/// Where a run of more than one leaf is cut: the left part has the largest power of two of whole leaves. All
-/// subtrees that become one node then begin at a multiple of their size.
+/// Returns the size of the left part when a run of more than one leaf is split: the largest power of two of
+/// whole leaves. So all subtrees that become one node begin at a multiple of their size.
 [[nodiscard]] inline std::size_t left_part(std::size_t points) {
     return std::bit_floor((points - 1) / points_per_leaf) * points_per_leaf;
 }
 
-/// A point on its way into a leaf, and which of the cell's it is.
+/// A point on its way into a leaf, and its number in the cell.
 struct alignas(16) Member {
     std::array<float, 3> position;
     std::uint32_t number;
 };
 
-/// Cuts a cell into leaves. Each cut is along the widest axis of the box of what is cut, at the number that
-/// left_part says. Keeps its memory from cell to cell; one for each thread.
+/// Splits a cell into leaves. Each split is along the widest axis of the box, at the number of points that
+/// left_part() returns. Keeps its memory from cell to cell; use one per thread.
 class LeafCutter {
   public:
-    /// Cells of more are cut in their records first: this is what stays in a core's own cache.
+    /// Larger cells are first split as records: this many members stay in a core's own cache.
     static constexpr std::size_t most_members = 1 << 16;
 
-    /// Room for the members of the next cell, at most most_members, to be filled in.
+    /// Returns room for the members of the next cell, at most most_members, to be filled in.
     [[nodiscard]] std::span<Member> members(std::size_t count) {
         members_.resize(count);
         scratch_.resize(count);
@@ -56,23 +56,24 @@ class LeafCutter {
             sort(members, scratch);
         else
             select(members, scratch, left);
-        // They are in the scratch now.
+        // Both parts are in the scratch now.
         cut(scratch.first(left), members.first(left), use);
         cut(scratch.subspan(left), members.subspan(left), use);
     }
 
     static constexpr std::size_t most_ranked = 256;
 
-    /// Both put the members into `out`: by counting how many are before each,
+    /// Sorts the members into `out`, by counting how many are before each.
     static void sort(std::span<const Member> members, std::span<Member> out);
-    /// and by a histogram that says where the first `left` end.
+    /// Puts the first `left` members before the others in `out`, by a histogram.
     static void select(std::span<const Member> members, std::span<Member> out, std::size_t left);
 
     std::vector<Member> members_, scratch_;
 };
 
-/// Calls `use(records, first)` with runs of at most LeafCutter::most_members records that follow one another
-/// and begin with the given one, cut from each other as LeafCutter cuts. May use several threads at once.
+/// Calls `use(records, first)` with consecutive runs of at most LeafCutter::most_members records, split as
+/// LeafCutter splits them. `first` is the number of a run's first record, counted from the given one. May use
+/// several threads at once.
 template <class Record, class Use>
 void for_each_run(std::span<Record> records, std::size_t first, const Use& use) {
     if (records.size() <= LeafCutter::most_members) return use(records, first);

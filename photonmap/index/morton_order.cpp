@@ -14,7 +14,7 @@ struct CellOfPoint {
     friend auto operator<=>(const CellOfPoint&, const CellOfPoint&) = default;
 };
 
-/// Two zero bits after each of the lowest 21.
+/// Inserts two zero bits after each of the lowest 21.
 std::uint64_t spread(std::uint64_t bits) {
     bits = (bits | bits << 32) & 0x1f00000000ffff;
     bits = (bits | bits << 16) & 0x1f0000ff0000ff;

@@ -10,7 +10,7 @@ namespace photonmap {
 namespace {
 
 nanoflann::KDTreeSingleIndexAdaptorParams parameters() {
-    constexpr std::size_t points_per_leaf = 32;  // built and asked fastest of 8 to 32, for 50 nearest of 5e6
+    constexpr std::size_t points_per_leaf = 32;  // fastest of 8 to 32, to build and for 50 nearest of 5e6
 #if NANOFLANN_VERSION < 0x150
     return {points_per_leaf};
 #else

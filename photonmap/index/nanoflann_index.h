@@ -11,16 +11,15 @@
 
 namespace photonmap {
 
-/// KDTreeSingleIndexAdaptor: built once over all points, exact. It leaves the points where they are and keeps
-/// four bytes of each beside its nodes, so that points that are near in space should be near in memory.
+/// KDTreeSingleIndexAdaptor: built once over all points, exact. It leaves the points where they are and
+/// stores four bytes for each beside its nodes. So points that are near in space should be near in memory.
 class NanoflannIndex {
   public:
     /// Indices are 32 bits wide.
     static constexpr std::size_t max_points = 0xffffffff;
 
-    /// `points` must outlive the index and be finite; best along a Morton curve. Builds with the threads of
-    /// the calling arena where the library can (from version 1.5). Throws InputError for more than
-    /// max_points.
+    /// `points` must outlive the index and be finite; a Morton order is best. Builds with the threads of the
+    /// calling arena if the library can (from version 1.5). Throws InputError for more than max_points.
     explicit NanoflannIndex(std::span<const common::Vec3> points);
 
     template <common::PointCollector Collector, class Accept>
@@ -30,11 +29,11 @@ class NanoflannIndex {
         tree_->index.findNeighbors(results, &query.x, search_parameters());
     }
 
-    /// Measured at the allocator: nanoflann's own usedMemory() overflows at 4 GiB.
+    /// Bytes measured at the allocator: nanoflann's own usedMemory() overflows at 4 GiB.
     [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
   private:
-    /// The points as nanoflann asks for them, by names of its choice.
+    /// Gives nanoflann the points, by the names that it expects.
     struct Points {
         std::span<const common::Vec3> points;
 
@@ -44,20 +43,20 @@ class NanoflannIndex {
         }
         template <class Bounds>
         [[nodiscard]] bool kdtree_get_bbox(Bounds& /*bounds*/) const {
-            return false;  // it finds them itself
+            return false;  // nanoflann finds them itself
         }
     };
 
     using Distance = nanoflann::L2_Simple_Adaptor<float, Points, float, std::uint32_t>;
 
     struct Tree {
-        Points points;  ///< the index refers to it
+        Points points;  ///< the index refers to them
         nanoflann::KDTreeSingleIndexAdaptor<Distance, Points, 3, std::uint32_t> index;
 
         explicit Tree(std::span<const common::Vec3> p);
     };
 
-    /// nanoflann's callback interface around a collector and a predicate.
+    /// Adapts a collector and a predicate to nanoflann's callback interface.
     template <common::PointCollector Collector, class Accept>
     class ResultSet {
       public:
@@ -69,15 +68,15 @@ class NanoflannIndex {
         [[nodiscard]] std::size_t size() const { return 0; }
         void sort() {}
 
-        /// Returns that the search shall go on.
+        /// Returns true: the search goes on.
         bool addPoint(float distance_sq, std::uint32_t index) {
-            // nanoflann looks at the reach once per leaf, so most candidates of a leaf come too late.
+            // nanoflann reads the reach once per leaf, so most candidates of a leaf are beyond it by now.
             if (distance_sq <= collector_.reach_sq() && accept_(index)) collector_.offer(distance_sq, index);
             return true;
         }
 
-        /// nanoflann drops what is not strictly nearer; equally near points must come through for the lower
-        /// index to win.
+        /// nanoflann drops points that are not strictly nearer. Equally near points must pass, so that the
+        /// lower index wins.
         [[nodiscard]] float worstDist() const {
             return std::nextafter(collector_.reach_sq(), std::numeric_limits<float>::infinity());
         }
@@ -87,8 +86,8 @@ class NanoflannIndex {
         Accept accept_;
     };
 
-    /// nanoflann adds up the distance to a cell with rounding errors; the slack keeps it from skipping a cell
-    /// by one of them.
+    /// nanoflann sums the distance to a cell with rounding errors. This slack keeps it from skipping a cell
+    /// because of one.
     static constexpr float slack = -1e-5f;
 #if NANOFLANN_VERSION < 0x150
     static nanoflann::SearchParams search_parameters() {
@@ -100,7 +99,7 @@ class NanoflannIndex {
     }
 #endif
 
-    std::unique_ptr<const Tree> tree_;  ///< none where there are no points
+    std::unique_ptr<const Tree> tree_;  ///< null if there are no points
     std::size_t bytes_ = 0;
 };
 

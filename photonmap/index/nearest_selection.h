@@ -1,4 +1,4 @@
-// The k nearest for larger k, kept apart by counting and not by comparing.
+// Selects the k nearest by counting instead of comparing, for larger k.
 #pragma once
 
 #include <algorithm>
@@ -12,19 +12,20 @@
 namespace photonmap {
 
 /// Keeps the k nearest points strictly inside a radius, as NearestSet does. At k = 50 a search in
-/// CompactIndex takes 0.6 to 0.9 of the time that it takes with NearestSet: candidates go unsorted into a
-/// buffer, a histogram of their distances in steps of a quarter octave says beyond which step none can belong
-/// to the k, and only those of the last step are told apart, once at the end.
+/// CompactIndex takes 0.6 to 0.9 of the time that it takes with NearestSet. Candidates go unsorted into a
+/// buffer. A histogram of their distances, in steps of a quarter octave, shows beyond which step none can be
+/// among the k nearest. Only those of the last step are compared, once at the end.
 class NearestSelection {
   public:
-    /// A point found: distance above, index below, so that one comparison orders both (distances are >= 0).
+    /// A point found: the distance in the high bits, the index in the low bits, so that one comparison orders
+    /// by both (distances are >= 0).
     using Key = std::uint64_t;
     [[nodiscard]] static float distance_sq(Key key) {
         return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32));
     }
     [[nodiscard]] static std::uint32_t index(Key key) { return static_cast<std::uint32_t>(key); }
 
-    /// Room that a selection of k works in.
+    /// Returns the room that a selection of k needs, in keys.
     [[nodiscard]] static constexpr std::size_t room_for(std::size_t k) { return 2 * k + 192; }
 
     /// `room` has room_for(k) keys.
@@ -44,10 +45,10 @@ class NearestSelection {
 
     [[nodiscard]] bool full() const { return count_ >= k_; }
 
-    /// No point farther than this can enter.
+    /// Returns the distance beyond which no point can enter.
     [[nodiscard]] float reach_sq() const { return distance_sq(bound_); }
 
-    /// Those that were nearest, k at most, in no particular order; where there are k, the farthest comes
+    /// Returns the nearest points, k at most, in no particular order; if there are k, the farthest comes
     /// first. Ends the selection.
     [[nodiscard]] std::span<const Key> finish() {
         if (!full()) return room_.first(count_);
@@ -60,14 +61,14 @@ class NearestSelection {
     }
 
   private:
-    static constexpr int step_shift = 21;            // two bits of the fraction
-    static constexpr std::uint32_t last_step = 127;  // 32 octaves, and all that is nearer
+    static constexpr int step_shift = 21;            // keeps two bits of the fraction
+    static constexpr std::uint32_t last_step = 127;  // the end of 32 octaves; holds all that is nearer too
 
     static Key key(float distance_sq, std::uint32_t index) {
         return Key{std::bit_cast<std::uint32_t>(distance_sq)} << 32 | index;
     }
 
-    /// 0 is the farthest.
+    /// Returns the step of a point; 0 is the farthest.
     [[nodiscard]] std::uint32_t step_of(Key found) const {
         return std::min(outermost_ - static_cast<std::uint32_t>(found >> (32 + step_shift)), last_step);
     }
@@ -80,14 +81,14 @@ class NearestSelection {
         step_ = 0;
     }
 
-    /// Leaves out the steps that the k nearest do not reach.
+    /// Drops the steps that contain none of the k nearest.
     void go_in() {
         do inside_ -= counted_[step_++];
         while (inside_ - counted_[step_] >= k_);
         bound_ = (Key{outermost_ - step_ + 1} << (32 + step_shift)) - 1;
     }
 
-    /// Only where a step holds very many, such as points that coincide.
+    /// Needed only if a step holds very many, such as points that coincide.
     void drop_all_but_nearest() {
         const auto last = room_.begin() + static_cast<std::ptrdiff_t>(k_) - 1;
         std::nth_element(room_.begin(), last, room_.end());
@@ -99,11 +100,11 @@ class NearestSelection {
 
     std::span<Key> room_;
     std::size_t k_;
-    std::size_t count_ = 0;    ///< in the room
+    std::size_t count_ = 0;    ///< number of keys in the room
     Key bound_;                ///< a candidate must be below
-    std::uint32_t outermost_;  ///< what step 0 begins with
-    std::uint32_t step_;       ///< the outermost in which there may be one of the k
-    std::size_t inside_;       ///< in that step and all nearer ones
+    std::uint32_t outermost_;  ///< the high bits of a key in step 0
+    std::uint32_t step_;       ///< the outermost step in which one of the k nearest may be
+    std::size_t inside_;       ///< number of points in that step and all nearer ones
     std::array<std::uint32_t, last_step + 1> counted_;
 };
 

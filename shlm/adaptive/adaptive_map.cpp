@@ -38,7 +38,7 @@ std::vector<float> kept_numbers(BlockKind kind, const LightBlock& block) {
 
 }  // namespace
 
-/// A face's blocks before they are put together with those of the others.
+/// A face's blocks before they are assembled with those of the others.
 struct AdaptiveMap::Draft {
     struct Block {
         BlockKind kind = BlockKind::uncovered;
@@ -48,11 +48,11 @@ struct AdaptiveMap::Draft {
     RegionFace face;
     bool flat;
     Vec3 normal;
-    std::vector<Node> node;  ///< the first is the root; of blocks: index into `block`
+    std::vector<Node> node;  ///< the first is the root; that of a block is an index into `block`
     std::vector<Block> block;
 };
 
-/// Goes down from the largest block and draws what was chosen.
+/// Descends from the largest block and makes the chosen blocks.
 class AdaptiveMap::Drawing {
   public:
     static Draft draft_of(const LightPyramid& pyramid, bool flat, const BlockChoice& choice) {
@@ -87,7 +87,7 @@ class AdaptiveMap::Drawing {
         for (std::uint32_t i = 0; i < 4; ++i) draw(first + i, level - 1, 2 * x + i % 2, 2 * y + i / 2);
     }
 
-    /// Uncovered, too, where it looks nowhere as its texels' normals cancel.
+    /// Returns an uncovered block also if its texels' normals cancel, so that it faces nowhere.
     static Draft::Block block_of(BlockKind kind, const LightBlock& block) {
         const Vec3 normal = block.surface.unit_normal();
         if (kind == BlockKind::uncovered || normal == Vec3(0, 0, 0)) return {};
@@ -174,7 +174,7 @@ AdaptiveMap::Found AdaptiveMap::find(const Face& face, const TexelRegion& region
     return found;
 }
 
-/// The weighted mean of blocks that look a point's way.
+/// The weighted mean of blocks that face as a point does.
 class BlockMean {
   public:
     BlockMean(const AdaptiveMap& map, const AdaptiveMap::Face& face, const common::SurfacePoint& point)
@@ -193,7 +193,7 @@ class BlockMean {
     [[nodiscard]] Rgb irradiance() const { return mean_.irradiance() * map_.unit_; }
 
   private:
-    /// In units of the map's.
+    /// Returns irradiance in the map's unit.
     [[nodiscard]] Rgb answer(BlockKind kind, const std::uint16_t* stored, const Vec3& normal) const {
         const auto number = [&](std::size_t i) {
             half h;
@@ -229,14 +229,14 @@ common::Rgb AdaptiveMap::irradiance(const common::SurfacePoint& point) const {
         return mean.irradiance();
     }
 
-    // Across the nearer border on either axis: the blocks there, and how far into them.
+    // The blocks across the nearer border on either axis, and their weights.
     const auto half_size = static_cast<float>(own.size) / 2;
     const float from_x = place->at.x - (static_cast<float>(own.x) + half_size),
                 from_y = place->at.y - (static_cast<float>(own.y) + half_size);
     const std::int64_t over_x = from_x < 0 ? std::int64_t{own.x} - 1 : std::int64_t{own.x} + own.size,
                        over_y = from_y < 0 ? std::int64_t{own.y} - 1 : std::int64_t{own.y} + own.size;
     const bool has_x = over_x >= 0 && over_x < region.width, has_y = over_y >= 0 && over_y < region.height;
-    // Half on the border, nothing as far from it as half the smaller of the two blocks is wide.
+    // The weight is a half on the border. It falls to 0 at a distance of half the width of the smaller block.
     const auto share = [&](float from, std::uint32_t other_size) {
         const float reach = static_cast<float>(std::min(own.size, other_size)) / 2;
         return std::clamp((std::abs(from) - (half_size - reach)) / (2 * reach), 0.0f, 0.5f);

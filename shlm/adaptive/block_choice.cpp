@@ -14,7 +14,7 @@ struct Kept {
     Cost cost;
 };
 
-/// Of what a block may be that is not divided.
+/// Returns the cheapest kind for a block that is not divided.
 Kept cheapest(const BlockCosts& costs, bool with_normals, double byte_price) {
     Kept best;
     for (std::size_t k = static_cast<std::size_t>(BlockKind::dark); k < block_kinds; ++k) {
@@ -25,7 +25,7 @@ Kept cheapest(const BlockCosts& costs, bool with_normals, double byte_price) {
     return best;
 }
 
-/// Goes down to where blocks stay whole, and decides on the way back.
+/// Descends to the blocks that stay whole, and decides on the way back.
 class Choosing {
   public:
     Choosing(const LightPyramid& pyramid, std::span<const BlockCosts> costs, bool with_normals,

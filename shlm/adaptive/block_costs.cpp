@@ -10,41 +10,42 @@ namespace {
 using common::Rgb;
 using common::Vec3;
 
-/// The smallest block around a texel with this many hits says how bright it is there.
+/// The smallest block around a texel with this many hits determines how bright it is there.
 constexpr double hits_to_know = 100;
 
-/// Relative variance that one hit of uniform light brings to (irradiance of a normal - that of the surface),
-/// over the squared sine between the two: 2.7 for order 2 and 2.1 for H4, by Monte Carlo over hits that come
-/// with the density of the cosine, kernels as in largest_surface_share, divided by the cosine. Within a tenth
-/// up to 60 degrees. Bases of one shape have the same, since all channels come with the same hits; AD's is
-/// taken for H4's.
+/// Relative variance that one hit of uniform light adds to (irradiance of a normal - that of the surface),
+/// divided by the squared sine of the angle between the two: 2.7 for order 2 and 2.1 for H4. Estimated by
+/// Monte Carlo over hits with cosine density, with the kernels as in largest_surface_share divided by the
+/// cosine. Accurate to a tenth up to 60 degrees. A basis with one shape for all channels has the same
+/// variance, as all channels come with the same hits. That of AD is assumed to be that of H4.
 constexpr float order_2_noise = 2.7f, h4_noise = 2.1f;
 
 constexpr std::array<float, block_kinds> direction_noise = {
     0, 0, 0, h4_noise, h4_noise, order_2_noise, order_2_noise};
 
-/// Light is told from noise where a mean of n squares exceeds what is expected of noise by this many standard
-/// deviations: of normal numbers it varies by sqrt(2 / n).
+/// A mean of n squares is distinguished from noise if it exceeds the expected noise by this many standard
+/// deviations. For normally distributed numbers its relative standard deviation is sqrt(2 / n).
 constexpr double significance = 2;
 
-/// What of a mean of squares is light: all but the expected noise where it can be told from that, else
-/// nothing. To take two deviations off as well would count all light for less than it is.
+/// Returns the part of a mean of squares that is light: the mean less the expected noise if it can be
+/// distinguished from noise, else 0. To subtract two standard deviations as well would underestimate all
+/// light.
 double beyond_noise(double found, double expected, double squares) {
     const double largest = expected * (1 + significance * std::sqrt(2 / std::max(squares, 1.0)));
     return found > largest ? found - expected : 0;
 }
 
-/// Directions tell of noise in about as many numbers as H4 has beside its constant.
+/// Degrees of freedom of the noise over directions: about the coefficients of H4 other than its constant.
 constexpr double direction_squares = 3;
 
-/// What is known of the light around a texel.
+/// The light and the density of hits around a texel.
 struct Neighbourhood {
     Rgb irradiance{0, 0, 0};
     double hits_per_area = 0;
 };
 
-/// Sums over the texels of a block, by channel: of weight area, weight area E and weight area E^2, and of
-/// weight area times the variance of E.
+/// Sums over the texels of a block, per channel: of weight * area, weight * area * E, weight * area * E^2,
+/// and weight * area * variance of E.
 struct SquareSums {
     std::array<double, 3> weight{}, first{}, second{}, noise{};
     double texels = 0;
@@ -103,7 +104,8 @@ class CostsOfFace {
         return sums;
     }
 
-    /// Relative variance of what an area receives. By the hits expected there, not by those that came.
+    /// Returns the relative variance of an area's irradiance, from its expected, not its actual, number of
+    /// hits.
     [[nodiscard]] double noise_of(double area, const Neighbourhood& around) const {
         return around.hits_per_area > 0 ? statistics_.noise_of_a_hit / (around.hits_per_area * area) : 0;
     }
@@ -137,7 +139,7 @@ class CostsOfFace {
         }
     }
 
-    /// For all normals in use.
+    /// Evaluates order 2 for all normals in use.
     void answer_by_order_2(const BlockLight& light, const Vec3& face_normal) {
         const common::Frame frame(face_normal);
         bent_.clear();
@@ -147,7 +149,8 @@ class CostsOfFace {
         }
     }
 
-    /// Mean over the normals in use of the squared difference to order 2, weighted as SquareSums::weight.
+    /// Returns the mean squared difference from order 2 over the normals in use, weighted as
+    /// SquareSums::weight.
     [[nodiscard]] double left_out_by(BlockKind kind, const BlockLight& light, const Vec3& face_normal,
                                      const SquareSums& sums) const {
         const auto mean_square = [&](auto kept) {
@@ -183,20 +186,20 @@ class CostsOfFace {
         Vec3 normal;
         Rgb order_2;  ///< irradiance
     };
-    std::vector<Bent> bent_;  ///< of the block whose errors are set
+    std::vector<Bent> bent_;  ///< for the block whose errors are set
 };
 
-/// Of parts that hits fall into by chance, n in all, n times the sum of share (E of the part / E of all -
-/// 1)^2 is v times a chi-squared number with one degree of freedom less than there are parts, v the relative
-/// variance of a hit's light, whatever the parts' shares of the area are. Light that differs between them
-/// only adds, so that the lower quartile tells most of noise. Of one degree its few values are too coarse for
-/// a quartile.
+/// Let n hits fall on parts at random, and let v be the relative variance of a hit's light. Then n times the
+/// sum of share (E of the part / E of all - 1)^2 is distributed as v times a chi-squared variable, whatever
+/// the parts' shares of the area. It has one degree of freedom less than there are parts. Differences of
+/// light between the parts only add to it, so that its lower quartile is mostly noise. With one degree of
+/// freedom, its few values are too coarse for a quartile.
 constexpr std::size_t least_parts = 3;
-constexpr std::array<double, 2> lower_quartile_of_chi_sq = {0.57536, 1.21253};  // of 2 and 3 degrees
+constexpr std::array<double, 2> lower_quartile_of_chi_sq = {0.57536, 1.21253};  // for 2 and 3 degrees
 
-/// Estimates of v whose lower quartile is v, from all blocks of three and four parts that are covered alike
-/// and have few hits, so that noise is most of what they differ by. Whatever the texels' size, such blocks
-/// are everywhere.
+/// Returns estimates of v, scaled so that their lower quartile is v. They come from all blocks of three and
+/// four parts with similar coverage and few hits, so that noise is most of the differences. Such blocks exist
+/// everywhere, whatever the texels' size.
 std::vector<double> noise_ratios(const LightPyramid& pyramid) {
     constexpr double least_hits = 16, most_hits = 64, least_share = 0.15;
     std::vector<double> ratios;

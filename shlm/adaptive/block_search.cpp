@@ -42,8 +42,9 @@ MapBlocks BlockSearch::choose_all(double byte_price) const {
 }
 
 MapBlocks BlockSearch::smallest(double wanted_error) const {
-    // The highest price at which the error is small enough. The error rises with it, in steps. Where it
-    // cannot be small enough, a twentieth more than the least, for half the bytes or less.
+    // Finds the highest price at which the error is small enough; the error rises with the price, in steps.
+    // If it cannot be small enough, a twentieth more than the least is allowed, which takes half the bytes or
+    // less.
     const double allowed = std::max(wanted_error, 1.05 * choose_all(0).error);
     double low = -60, high = 60;  // binary logarithm of the price, in units of the scene's area
     for (int i = 0; i < 24; ++i) {

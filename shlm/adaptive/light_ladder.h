@@ -1,4 +1,4 @@
-// What a block of an adaptive map may keep: from nothing to order 2.
+// The kinds of light that a block of an adaptive map may keep: from nothing to order 2.
 #pragma once
 
 #include "shlm/basis/ambient_and_direction.h"
@@ -9,8 +9,8 @@
 namespace shlm {
 
 enum class BlockKind : std::uint8_t {
-    uncovered,  ///< no surface: answers for no point
-    dark,       ///< no number
+    uncovered,  ///< no surface: contributes to no point
+    dark,       ///< no light, and no number
     flat,       ///< the surface's irradiance, for all normals
     AD,
     H4,
@@ -19,11 +19,11 @@ enum class BlockKind : std::uint8_t {
 };
 inline constexpr std::size_t block_kinds = 7;
 
-/// As a method's name has them.
+/// The kinds' names, as used in names of methods.
 inline constexpr std::array<const char*, block_kinds> block_kind_names = {"uncovered", "dark", "flat", "AD",
                                                                           "H4",        "YL2",  "L2"};
 
-/// Numbers that a block of that kind keeps.
+/// The number of floats that a block of each kind keeps.
 inline constexpr std::array<std::size_t, block_kinds> block_numbers = {0,
                                                                        0,
                                                                        3,
@@ -32,13 +32,13 @@ inline constexpr std::array<std::size_t, block_kinds> block_numbers = {0,
                                                                        number_count<LuminanceNine>,
                                                                        number_count<Harmonics<2>>};
 
-/// The light of a block, W/m^2: of its surface, exact, and by normal.
+/// The light of a block, W/m^2: the exact irradiance of its surface, and the irradiance by normal.
 struct BlockLight {
     common::Rgb surface{0, 0, 0};
     TexelLight<2> by_normal{};
 };
 
-/// What a basis keeps of it.
+/// Returns what a basis keeps of a block's light.
 template <Basis B>
 [[nodiscard]] typename B::Numbers numbers_of(const BlockLight& light, const common::Vec3& face_normal) {
     TexelLight<B::order> lowest;
@@ -46,7 +46,7 @@ template <Basis B>
     return B::numbers_of(lowest, face_normal);
 }
 
-/// Calls `work` with the basis of a kind that depends on the normal.
+/// Calls `work` with the basis of a kind whose irradiance depends on the normal.
 template <class Work>
 auto with_directional_basis(BlockKind kind, Work work) {
     switch (kind) {
@@ -61,7 +61,7 @@ auto with_directional_basis(BlockKind kind, Work work) {
     }
 }
 
-/// How many of the numbers are W/m^2; the rest have no unit.
+/// Returns how many of the numbers are in W/m^2; the rest have no unit.
 [[nodiscard]] inline std::size_t block_light_numbers(BlockKind kind) {
     return kind <= BlockKind::flat
                ? block_numbers[static_cast<std::size_t>(kind)]

@@ -10,7 +10,7 @@
 
 namespace shlm {
 
-/// What an adaptive map is made from: the harmonics, and the surface's exact irradiance.
+/// The sums that an adaptive map is made from: the harmonics, and the surface's exact irradiance.
 using AdaptiveModel = TexelModel<2, ShWeight::normalised>;
 
 struct LightBlock {
@@ -21,7 +21,7 @@ struct LightBlock {
     [[nodiscard]] BlockLight light() const;
 };
 
-/// Where a face is.
+/// A face of a region.
 struct RegionFace {
     std::uint32_t region;
     bool back;
@@ -40,14 +40,14 @@ class LightPyramid {
     [[nodiscard]] std::uint32_t width(std::size_t level) const { return level_[level].width; }
     [[nodiscard]] std::uint32_t height(std::size_t level) const { return level_[level].height; }
 
-    /// That covers all.
+    /// Returns the block that covers the whole face.
     [[nodiscard]] const LightBlock& largest_block() const { return level_.back().block.front(); }
 
     [[nodiscard]] const LightBlock& block(std::size_t level, std::uint32_t x, std::uint32_t y) const {
         return level_[level].block[std::size_t{y} * level_[level].width + x];
     }
 
-    /// Of all levels, and where one of them stands: level by level, row by row.
+    /// The number of blocks of all levels, and the index of one of them: level by level, row by row.
     [[nodiscard]] std::size_t block_count() const { return level_.back().first + level_.back().block.size(); }
     [[nodiscard]] std::size_t index(std::size_t level, std::uint32_t x, std::uint32_t y) const {
         return level_[level].first + std::size_t{y} * level_[level].width + x;
@@ -76,7 +76,7 @@ class LightPyramid {
     std::vector<Level> level_;
 };
 
-/// One for each face of the layout.
+/// Returns one pyramid for each face of the layout.
 [[nodiscard]] std::vector<LightPyramid> light_pyramids(const TexelSums<AdaptiveModel>& sums,
                                                        const PreparedTexels& texels, float watts_per_flux);
 

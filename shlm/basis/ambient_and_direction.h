@@ -6,20 +6,21 @@
 
 namespace shlm {
 
-/// Six numbers: colour at the texel's own normal, and the distant light's direction and share. Exact for one
-/// light, for uniform light from above, and for both together, if they have one colour.
+/// Six numbers: the colour at the texel's own normal, and the distant light's direction and share. Exact for
+/// one light, for uniform light from above, and for both together if they have one colour.
 ///
-/// Order 1 knows the integral S of the radiance and that of radiance times direction, V. An irradiance of A
-/// from the hemisphere above the normal N has S = 2 A and V = A N; a distant light of irradiance D, facing
-/// it, in direction d has S = D and V = D d. So |V - A N| = S - 2 A,
+/// Order 1 contains the integral S of the radiance and the integral V of radiance times direction. An
+/// irradiance of A from the hemisphere above the normal N has S = 2 A and V = A N. A distant light of
+/// irradiance D, on a plane that faces it, in direction d has S = D and V = D d. So |V - A N| = S - 2 A,
 ///
 ///     3 A^2 + (2 V.N - 4 S) A + S^2 - |V|^2 = 0,
 ///
-/// whose smaller root has 0 <= A <= S / 2 for all light there is (|V| <= S), and D d = V - A N. The surface's
-/// own irradiance, V.N, stays what it was.
+/// whose smaller root has 0 <= A <= S / 2 for all possible light (|V| <= S), and D d = V - A N. The surface's
+/// own irradiance, V.N, is preserved.
 struct AmbientAndDirection {
     static constexpr int order = 1;
-    /// Irradiance of the face's own normal; D d as a share of the mean channel's, whose rest is ambient.
+    /// Irradiance for the face's own normal; D d relative to its mean over the channels, whose rest is
+    /// ambient.
     using Numbers = std::array<float, 6>;
     static constexpr std::size_t light_numbers = 3;
     static constexpr std::string_view formula =
@@ -42,7 +43,7 @@ struct AmbientAndDirection {
         const auto grey = grey_of(light);
         const common::Vec3 v = vector_of(grey);
         const float s = integral_of(grey), own = v.dot(face_normal);
-        if (own <= 0) return numbers;  // lit from below alone: there is no share of that
+        if (own <= 0) return numbers;  // lit only from below: there are no shares
         const float half = 2 * s - own;
         const float root = std::sqrt(std::max(half * half - 3 * (s * s - v.dot(v)), 0.0f));
         const float ambient = std::clamp((half - root) / 3, 0.0f, own);

@@ -1,4 +1,4 @@
-// What a finished texel keeps of its light: the contract of the basis ladder, one file for each basis.
+// The interface of a basis, which defines what a finished texel keeps of its light. One file per basis.
 #pragma once
 
 #include <concepts>
@@ -13,14 +13,14 @@ namespace shlm {
 /// irradiance:
 ///
 /// - `order`: of the harmonics that it is made from.
-/// - `Numbers`: what is kept, an array of floats. The first `light_numbers` of them are W/m^2, the others
+/// - `Numbers`: what is kept, an array of floats. The first `light_numbers` of them are in W/m^2, the others
 ///   have no unit.
-/// - `Question`: made from a shading normal; what all texels that are asked for it share.
-/// - `numbers_of(light, face_normal)`: of a texel whose mean normal is `face_normal`, unit.
-/// - `irradiance(numbers, face_normal, question)`: W/m^2; what the truncated series takes below zero is not
-///   cut off here.
-/// - `number_name(i)`: the name of number i in a file, LAYER.CHANNEL; `formula`: irradiance in words from
-///   these layers, the shading normal n and the texel's normal N.
+/// - `Question`: made from a shading normal; holds what all texels evaluated for that normal share.
+/// - `numbers_of(light, face_normal)`: for a texel whose mean normal is `face_normal`, unit.
+/// - `irradiance(numbers, face_normal, question)`: W/m^2; negative values of the truncated series are not
+///   clamped here.
+/// - `number_name(i)`: the name of number i in a file, LAYER.CHANNEL.
+/// - `formula`: irradiance in words, from these layers, the shading normal n and the texel's normal N.
 template <class B>
 concept Basis = SupportedOrder<B::order> && std::constructible_from<typename B::Question, common::Vec3> &&
     requires(const TexelLight<B::order>& light, const typename B::Numbers& numbers,
@@ -35,7 +35,7 @@ concept Basis = SupportedOrder<B::order> && std::constructible_from<typename B::
 template <Basis B>
 inline constexpr std::size_t number_count = std::tuple_size_v<typename B::Numbers>;
 
-/// Three of the numbers, from number `first` on.
+/// Returns three of the numbers, from number `first` on.
 template <std::size_t Count>
 [[nodiscard]] inline common::Rgb rgb_at(const std::array<float, Count>& numbers, std::size_t first) {
     return {numbers[first], numbers[first + 1], numbers[first + 2]};

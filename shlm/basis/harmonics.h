@@ -1,4 +1,4 @@
-// The harmonics themselves: what is summed is what is kept (Good and Taylor 2005, order 2).
+// The harmonics themselves: a texel keeps what it sums (Good and Taylor 2005, order 2).
 #pragma once
 
 #include "shlm/basis/basis.h"

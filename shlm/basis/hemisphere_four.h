@@ -1,4 +1,4 @@
-// H4: four numbers a channel, fitted to order 2 over the side that the surface can be seen from.
+// H4: four coefficients per channel, fitted to order 2 over the side from which the surface can be seen.
 #pragma once
 
 #include "shlm/basis/basis.h"
@@ -6,12 +6,12 @@
 
 namespace shlm {
 
-/// Order 1 wastes accuracy on normals that look into the surface. The same four functions fitted on the
-/// hemisphere alone lose half as much (Habel and Wimmer 2010).
+/// Order 1 wastes accuracy on normals that point into the surface. The same four functions, fitted on the
+/// hemisphere alone, have half the error (Habel and Wimmer 2010).
 struct HemisphereFour {
     static constexpr int order = 2;
     using Numbers =
-        std::array<float, 12>;  ///< constant, then by x, y and z of the normal; three channels each
+        std::array<float, 12>;  ///< constant, then for x, y and z of the normal; three channels each
     static constexpr std::size_t light_numbers = 12;
     static constexpr std::string_view formula = "E(n) = constant + x n.x + y n.y + z n.z";
 

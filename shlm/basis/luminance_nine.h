@@ -1,4 +1,4 @@
-// YL2: colour at the texel's own normal, order 2 of the channels' mean for the rest.
+// YL2: the colour at the texel's own normal, and order 2 of the channels' mean for other normals.
 #pragma once
 
 #include "shlm/basis/basis.h"
@@ -6,10 +6,10 @@
 
 namespace shlm {
 
-/// Eleven numbers in place of 27. Exact, as order 2 goes, where the light has one colour.
+/// Eleven numbers in place of 27. As exact as order 2 if the light has one colour.
 struct LuminanceNine {
     static constexpr int order = 2;
-    /// Irradiance of the face's own normal, then harmonics 1 to 8 of a series that is 1 at that normal.
+    /// Irradiance for the face's own normal, then harmonics 1 to 8 of a series that is 1 at that normal.
     using Numbers = std::array<float, 11>;
     static constexpr std::size_t light_numbers = 3;
     static constexpr std::string_view formula =

@@ -1,4 +1,4 @@
-// Order 2 written as a polynomial of the normal, and what of it can be seen from one side.
+// Order 2 written as a polynomial of the normal, and its fit over one hemisphere.
 #pragma once
 
 #include <Imath/ImathMatrix.h>
@@ -18,8 +18,8 @@ struct QuadraticLight {
     }
 };
 
-/// The same in the words of Ramamoorthi and Hanrahan (2001), eq. 11 and 12: sh_basis.h's bands 0 to 2
-/// multiplied out. `coefficients`: one for each harmonic, W/m^2.
+/// Returns the same light as in Ramamoorthi and Hanrahan (2001), eq. 11 and 12: sh_basis.h's bands 0 to 2
+/// multiplied out. `coefficients` has one for each harmonic, W/m^2.
 [[nodiscard]] inline QuadraticLight quadratic_light(
     const std::array<float, harmonic_count(2)>& coefficients) {
     using namespace sh_constants;
@@ -32,12 +32,13 @@ struct QuadraticLight {
             {-zz / 2 + difference, xy, xz, xy, -zz / 2 - difference, yz, xz, yz, zz}};
 }
 
-/// The nearest light with no quadratic part, over the normals n with n . face_normal >= 0, all alike (least
-/// squares; the span {1, x, y, z} of the hemispherical basis H4, Habel and Wimmer 2010).
+/// Returns the best approximation without a quadratic part: least squares over the normals n with n .
+/// face_normal >= 0, uniformly weighted (the span {1, x, y, z} of the hemispherical basis H4, Habel and
+/// Wimmer 2010).
 ///
-/// In a frame whose z is the face's normal: of n^T M n, the part along z, m (3 z^2 - 1) / 2, is nearest to
-/// m (3 z - 1.5) / 2, since z is uniform from 0 to 1 there; 2 m' x z is nearest to 3/4 m' x; x y and
-/// x^2 - y^2 are orthogonal to all four.
+/// In a frame whose z is the face's normal, the part of n^T M n along z is m (3 z^2 - 1) / 2. Its best
+/// approximation is m (3 z - 1.5) / 2, as z is uniform from 0 to 1 there. That of 2 m' x z is 3/4 m' x. The
+/// functions x y and x^2 - y^2 are orthogonal to all four.
 [[nodiscard]] inline QuadraticLight hemisphere_fit(const QuadraticLight& light,
                                                    const common::Vec3& face_normal) {
     const common::Vec3 along = face_normal * light.matrix;
@@ -47,7 +48,7 @@ struct QuadraticLight {
             {0, 0, 0, 0, 0, 0, 0, 0, 0}};
 }
 
-/// Channel c of harmonics.
+/// Returns channel c of harmonics.
 template <std::size_t Count>
 [[nodiscard]] inline std::array<float, Count> channel_of(const std::array<common::Rgb, Count>& light, int c) {
     std::array<float, Count> channel;
@@ -55,7 +56,7 @@ template <std::size_t Count>
     return channel;
 }
 
-/// Mean of the channels: the one light whose shape stands for all three where only one is kept.
+/// Returns the mean of the channels, whose shape stands for all three where only one shape is kept.
 template <std::size_t Count>
 [[nodiscard]] inline std::array<float, Count> grey_of(const std::array<common::Rgb, Count>& light) {
     std::array<float, Count> grey;

@@ -1,4 +1,4 @@
-// Real spherical harmonics and their turn from radiance into irradiance.
+// Real spherical harmonics and their conversion from radiance to irradiance.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace shlm {
 
-/// How many harmonics irradiance needs up to an order. The clamped cosine has no band 3, so what is called
-/// order 4 leaves those seven out, and an order of 3 would be order 2 again.
+/// Returns the number of harmonics of irradiance up to an order. The clamped cosine has no band 3. So order 4
+/// leaves those seven out, and order 3 would be the same as order 2.
 [[nodiscard]] constexpr std::size_t harmonic_count(int order) {
     return order == 0 ? 1 : order == 1 ? 4 : order == 2 ? 9 : 18;
 }
@@ -37,8 +37,8 @@ inline constexpr float c43 = 1.770130769f;  // 3 / 4 sqrt(35 / (2 pi))
 inline constexpr float c44 = 0.625835735f;  // 3 / 16 sqrt(35 / pi)
 }  // namespace sh_constants
 
-/// Orthonormal real harmonics at a unit direction, without the Condon-Shortley sign (Ramamoorthi and Hanrahan
-/// 2001, eq. 3, for bands 0 to 2).
+/// Returns the orthonormal real harmonics at a unit direction, without the Condon-Shortley sign (Ramamoorthi
+/// and Hanrahan 2001, eq. 3, for bands 0 to 2).
 template <int Order>
 [[nodiscard]] inline ShValues<Order> evaluate_sh(const common::Vec3& d) {
     using namespace sh_constants;

@@ -1,4 +1,4 @@
-// A light map's sums to a file and back.
+// Writes a light map's sums to a file and reads them back.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 
 namespace shlm {
 
-/// Throws InputError where the file cannot be written; then it stays as it was.
+/// Throws InputError if the file cannot be written; an existing file then stays as it was.
 template <class Model>
 void write_checkpoint(const std::filesystem::path& file, MapRun run, const TexelAtlas& atlas,
                       const Accumulator<Model>& accumulator) {
@@ -36,8 +36,8 @@ void write_checkpoint(const std::filesystem::path& file, MapRun run, const Texel
     out.finish();
 }
 
-/// Adds a file's sums to those of an accumulator, which is of no more use where this throws InputError: for a
-/// file of anything else than `expected`, and for a broken one.
+/// Adds a file's sums to those of an accumulator. Throws InputError for a file of anything other than
+/// `expected`, and for a broken one; the accumulator is then unusable.
 template <class Model>
 MapRun read_checkpoint(const std::filesystem::path& file, const MapIdentity& expected,
                        const TexelAtlas& atlas, Accumulator<Model>& accumulator) {

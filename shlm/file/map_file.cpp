@@ -34,7 +34,7 @@ using common::InputError;
 
 static_assert(std::endian::native == std::endian::little, "a number's halves are taken from memory");
 
-/// OpenEXR's own stream does not say when the last bytes did not reach the disk.
+/// OpenEXR's own stream does not report that the last bytes did not reach the disk.
 class FileStream : public Imf::OStream {
   public:
     explicit FileStream(const fs::path& file)
@@ -61,7 +61,7 @@ class FileStream : public Imf::OStream {
         if (lseek(descriptor_, static_cast<off_t>(position), SEEK_SET) < 0) fail();
     }
 
-    /// Once OpenEXR is done, whose destructors say nothing of what went wrong in them.
+    /// To be called when OpenEXR is done, as its destructors do not report errors.
     void flush() {
         if (!failure_.empty()) throw InputError(failure_);
         if (fsync(descriptor_) != 0) fail();
@@ -79,7 +79,7 @@ class FileStream : public Imf::OStream {
 
 constexpr std::array<const char*, 3> colors = {"R", "G", "B"};
 
-/// Of a map's picture: 2^32 texels on shelves (TexelAtlas) need no more.
+/// Limit of a map's picture: 2^32 texels on shelves (TexelAtlas) need no more.
 constexpr int largest_side = 1 << 18;
 
 // Parts, in the file's order.
@@ -126,11 +126,11 @@ Imf::Header header_of(int part, const MapFileSize& size) {
     return header;
 }
 
-/// The halves of 64-bit integers where they lie, a plane per name.
+/// Returns the halves of 64-bit integers in place, one plane per name.
 Imf::FrameBuffer buffer_of(int part, const MapFileSize& size, const std::int64_t* planes) {
     const MapFileSize pixels = size_of(part, size);
     Imf::FrameBuffer buffer;
-    auto* base = reinterpret_cast<char*>(const_cast<std::int64_t*>(planes));  // OpenEXR knows no const
+    auto* base = reinterpret_cast<char*>(const_cast<std::int64_t*>(planes));  // OpenEXR takes no const
     for (const std::string& name : names_in(part, size)) {
         const std::size_t row = sizeof(std::int64_t) * pixels.width;
         buffer.insert(name + ".low", Imf::Slice(Imf::UINT, base, sizeof(std::int64_t), row));
@@ -140,7 +140,7 @@ Imf::FrameBuffer buffer_of(int part, const MapFileSize& size, const std::int64_t
     return buffer;
 }
 
-/// The run without the program that wrote it, as the checksum takes it.
+/// Returns the text that the checksum covers: the run without the program that wrote it.
 std::string checked_text(const MapRun& run) {
     MapRun checked = run;
     checked.program.clear();
@@ -158,7 +158,7 @@ void Checksum::add(const std::string& text) {
 void Checksum::add(std::span<const std::int64_t> values) {
     for (const std::int64_t value : values) {
         hash_ = common::fnv_step(hash_, static_cast<std::uint64_t>(value));
-        hash_ ^= hash_ >> 32;  // a multiplication carries upwards only
+        hash_ ^= hash_ >> 32;  // a multiplication only affects higher bits
     }
 }
 
@@ -216,7 +216,7 @@ void MapFileWriter::write_planes(int part, std::span<const std::int64_t> planes)
     });
 }
 
-/// Row by row: at millions of texels another set of planes would be too much.
+/// Row by row, as another set of planes would be too large with millions of texels.
 void MapFileWriter::write_preview(std::span<const std::int64_t> channels) {
     const double per_photon = 1 / static_cast<double>(std::max<std::uint64_t>(run_.fates.emitted, 1));
     std::vector<float> row(3 * std::size_t{size_.width});
@@ -252,7 +252,7 @@ void MapFileWriter::finish() {
         output_->finish();
         fs::rename(temporary_.path, file_);
         output_.reset();
-        // The rename itself reaches the disk with the folder.
+        // The rename reaches the disk only with the folder.
         const fs::path folder = file_.has_parent_path() ? file_.parent_path() : ".";
         if (const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY); descriptor >= 0) {
             fsync(descriptor);
@@ -327,7 +327,7 @@ MapFileReader::MapFileReader(fs::path file) : file_(std::move(file)) {
         std::error_code error;
         const auto bytes = fs::file_size(file_, error);
         if (error) throw InputError(error.message());
-        // OpenEXR makes room for what a header asks for before it looks how long the file is.
+        // OpenEXR allocates what a header asks for before it checks the file's length.
         common::check_exr_headers(file_);
         Imf::Header::setMaxImageSize(largest_side, largest_side);
         input_ = std::make_unique<Input>(file_);
@@ -338,7 +338,7 @@ MapFileReader::MapFileReader(fs::path file) : file_(std::move(file)) {
             throw InputError("its size is none that a light map has");
         size_ = {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y),
                  run_.identity.numbers};
-        // Runs of up to 128 equal bytes become 2: nothing packs better than that.
+        // Runs of up to 128 equal bytes become 2: no file compresses better than that.
         if (static_cast<double>(size_.pixels()) * static_cast<double>(24 * size_.numbers) >
                 64.0 * static_cast<double>(bytes) ||
             run_.identity.texels > size_.pixels())
@@ -381,7 +381,8 @@ void MapFileReader::check() {
 
 namespace {
 
-/// Whether it begins as an OpenEXR file does, as far as it goes: a run that is killed leaves such a file.
+/// Returns whether the file begins as an OpenEXR file does, as far as it goes: a killed run leaves such a
+/// file.
 bool is_begun_exr(const fs::path& file) {
     constexpr std::string_view magic = "\x76\x2f\x31\x01";
     std::error_code ignored;

@@ -1,4 +1,4 @@
-// A light map's sums as OpenEXR, exact to the last bit.
+// A light map's sums as an OpenEXR file, exact to the last bit.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace shlm {
 
-/// A multi-part file; pixels are texels as TexelAtlas places them. Part "preview", to look at: R, G, B, the
-/// first number over the photons, W. Parts "number.0" and so on, as a texel model sums them: R.low, R.high,
-/// G.low, ..., the two halves of a 64-bit integer in quanta. Part "hits": hits.low, hits.high. Part
-/// "checksum": one pixel. The run is in the header as text.
+/// The size of a multi-part file whose pixels are texels as TexelAtlas places them. Part "preview", for
+/// viewing: R, G, B, the first number divided by the photons, W. Parts "number.0" and so on, the sums of a
+/// texel model: R.low, R.high, G.low, ..., the two halves of a 64-bit integer in quanta. Part "hits":
+/// hits.low, hits.high. Part "checksum": one pixel. The run is in the header as text.
 struct MapFileSize {
     std::uint32_t width = 0, height = 0;
     std::uint64_t numbers = 0;  ///< per texel and channel
@@ -33,8 +33,8 @@ class Checksum {
     std::uint64_t hash_ = common::fnv_start;
 };
 
-/// Writes beside the file, as FILE.part; `finish` puts it in the file's place. A file of that name stays as
-/// it was until then, whatever happens. Throws InputError where it cannot be written.
+/// Writes beside the file, as FILE.part, which `finish` renames. An existing file of that name stays as it
+/// was until then, whatever happens. Throws InputError if it cannot be written.
 class MapFileWriter {
   public:
     MapFileWriter(std::filesystem::path file, const MapRun& run, const MapFileSize& size);
@@ -42,7 +42,7 @@ class MapFileWriter {
     MapFileWriter(const MapFileWriter&) = delete;
     MapFileWriter& operator=(const MapFileWriter&) = delete;
 
-    /// Number after number: the pixels of its three channels, one channel after the other.
+    /// Writes one number after the other: the pixels of its three channels, one channel after the other.
     void write_number(std::span<const std::int64_t> channels);
     void write_hits(std::span<const std::int64_t> hits);
 
@@ -52,7 +52,7 @@ class MapFileWriter {
   private:
     class Output;
 
-    /// Gone with the object, unless it was moved elsewhere.
+    /// Removes the file when it is destroyed, unless the file has been renamed.
     struct TemporaryFile {
         std::filesystem::path path;
         ~TemporaryFile();
@@ -72,7 +72,7 @@ class MapFileWriter {
     std::unique_ptr<Output> output_;
 };
 
-/// Throws InputError, with the file's name and the reason, for a file that is not whole.
+/// Throws InputError, with the file's name and the reason, for a file that is not complete.
 class MapFileReader {
   public:
     explicit MapFileReader(std::filesystem::path file);
@@ -84,11 +84,11 @@ class MapFileReader {
     [[nodiscard]] const MapRun& run() const { return run_; }
     [[nodiscard]] const MapFileSize& size() const { return size_; }
 
-    /// As the writer has them, and in its order.
+    /// Reads in the writer's layout and order.
     void read_number(std::span<std::int64_t> channels);
     void read_hits(std::span<std::int64_t> hits);
 
-    /// Whether all that was read is what was written.
+    /// Throws InputError unless all that was read is what was written.
     void check();
 
   private:
@@ -107,10 +107,10 @@ class MapFileReader {
     std::unique_ptr<Input> input_;
 };
 
-/// FILE.part, where a file is written.
+/// Returns FILE.part, the name under which a file is written.
 [[nodiscard]] std::filesystem::path part_of(const std::filesystem::path& file);
 
-/// Throws InputError, naming `option`, where a file cannot be put there. Whether one is there is not asked.
+/// Throws InputError, naming `option`, if a file cannot be written there. Does not ask whether one exists.
 void check_map_output(const std::string& option, const std::filesystem::path& file);
 
 }  // namespace shlm

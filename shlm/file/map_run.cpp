@@ -11,10 +11,10 @@ namespace {
 
 constexpr const char* format_version = "1";
 
-/// Of photons that were not sent, as their light is dark there: left out where there are none.
+/// The count of photons that were not sent, as their light emits nothing there; left out if it is 0.
 constexpr const char* photons_without_light = "photons_without_light";
 
-/// Calls `visit(name, number)` for all of the run's numbers but those.
+/// Calls `visit(name, number)` for all of the run's numbers except that count.
 template <class Run, class Visit>
 void for_each_number(Run& run, Visit visit) {
     visit("seed", run.identity.seed);

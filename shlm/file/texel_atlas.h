@@ -1,4 +1,4 @@
-// Where the texels go in a picture: the regions' rectangles side by side.
+// The places of texels in a picture: the regions' rectangles side by side.
 #pragma once
 
 #include "shlm/layout/texel_layout.h"

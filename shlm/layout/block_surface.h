@@ -1,4 +1,4 @@
-// The surface under a block of texels, and whether it is one.
+// The surface under a block of texels, and whether it is a single one.
 #pragma once
 
 #include <Imath/ImathVec.h>
@@ -14,7 +14,7 @@ struct BlockSurface {
     double area = 0;             ///< covered, world units squared
     Imath::V3d normal{0, 0, 0};  ///< times area
     Imath::V3d center{0, 0, 0};  ///< times area
-    bool one = true;             ///< nearly flat, and hangs together
+    bool one = true;             ///< nearly flat and connected
 
     [[nodiscard]] static BlockSurface of_texel(const TexelGeometry& texel) {
         if (texel.area == 0) return {};
@@ -26,9 +26,9 @@ struct BlockSurface {
     }
 };
 
-/// Of the block that the parts make up, `width` world units wide. It is one surface where all of them are,
-/// none faces away from their mean by more than 25 degrees, and none lies further from it than the block is
-/// wide.
+/// Returns the surface of the block that consists of these parts, `width` world units wide. It is one surface
+/// if all parts are, none faces away from their mean by more than 25 degrees, and none is farther from it
+/// than the block is wide.
 [[nodiscard]] inline BlockSurface joined(std::span<const BlockSurface> parts, double width) {
     constexpr double same_block_cosine = 0.9;
     BlockSurface block;

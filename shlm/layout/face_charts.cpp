@@ -21,7 +21,7 @@ V3d corner_of(const Scene& scene, std::uint32_t triangle, std::size_t corner) {
     return V3d(scene.position[scene.triangle[triangle][corner]]);
 }
 
-/// Two perpendicular directions in a plane, unit, and what lies between two values along each.
+/// Two perpendicular unit directions in a plane, and an interval along each.
 struct Rectangle {
     V3d right, down;
     V2d least, most;
@@ -30,7 +30,7 @@ struct Rectangle {
     [[nodiscard]] V2d size() const { return most - least; }
     [[nodiscard]] double area() const { return size().x * size().y; }
 
-    /// The one at `least`, as high above the origin as the position.
+    /// Returns the corner at `least`, at the same height above the origin as the position.
     [[nodiscard]] V3d corner_level_with(const V3d& position) const {
         const V2d along = least - place(position);
         return position + right * along.x + down * along.y;
@@ -53,8 +53,9 @@ Rectangle rectangle_along(const Scene& scene, const FlatPatch& patch, const V3d&
     return rectangle;
 }
 
-/// The smallest of those along an edge of the largest triangle: a triangle by itself covers half of it, and a
-/// rectangular wall all of it if that triangle has an edge on its border or along it.
+/// Returns the smallest of the rectangles along an edge of the largest triangle. A single triangle covers
+/// half of it. A rectangular wall covers all of it if that triangle has an edge on its border or parallel to
+/// it.
 Rectangle rectangle_around(const Scene& scene, const FlatPatch& patch) {
     const std::uint32_t largest = *std::max_element(patch.triangle.begin(), patch.triangle.end(),
                                                     [&](std::uint32_t a, std::uint32_t b) {
@@ -70,7 +71,7 @@ Rectangle rectangle_around(const Scene& scene, const FlatPatch& patch) {
     return smallest;
 }
 
-/// Of the triangles in the patch's plane.
+/// Returns the area of the triangles, projected to the patch's plane.
 double covered_area(const Scene& scene, const FlatPatch& patch) {
     double area = 0;
     for (const std::uint32_t triangle : patch.triangle)
@@ -104,7 +105,7 @@ void divide(const Scene& scene, FlatPatch patch, double texel_size, std::vector<
     divide(scene, {patch.normal, {middle, end}}, texel_size, filled);
 }
 
-/// The cube of the texel's size that a patch lies in, if it is smaller than half a texel each way.
+/// Returns the cube of the texel's size that contains a patch, if it is smaller than half a texel each way.
 std::optional<std::array<double, 3>> cube_of(const Scene& scene, const FlatPatch& patch, double texel_size) {
     const V2d size = rectangle_around(scene, patch).size();
     if (std::max(size.x, size.y) > texel_size / 2) return std::nullopt;
@@ -112,10 +113,10 @@ std::optional<std::array<double, 3>> cube_of(const Scene& scene, const FlatPatch
     return std::array{std::floor(center.x), std::floor(center.y), std::floor(center.z)};
 }
 
-/// Joins small patches of one cube that look the same way.
+/// Joins small patches of one cube that face the same way.
 std::vector<FlatPatch> shared(const Scene& scene, std::vector<FlatPatch> patches, double texel_size) {
     std::vector<FlatPatch> kept;
-    std::map<std::array<double, 3>, std::vector<std::size_t>> in_cube;  // of `kept`
+    std::map<std::array<double, 3>, std::vector<std::size_t>> in_cube;  // indices into `kept`
     for (FlatPatch& patch : patches) {
         const auto cube = cube_of(scene, patch, texel_size);
         if (!cube) {
@@ -168,7 +169,7 @@ std::vector<TexelChart> face_charts(const Scene& scene, std::span<const std::uin
     std::vector<TexelChart> charts;
     for (const FlatPatch& patch : shared(scene, std::move(patches), texel_size)) {
         const Rectangle rectangle = rectangle_around(scene, patch);
-        // Slivers can be thinner than what their positions are rounded to: nothing to be laid flat.
+        // Slivers can be thinner than the rounding of their positions, and then have no area.
         if (rectangle.area() > 0) charts.push_back(laid_flat(scene, patch, rectangle, both_faces));
     }
     return charts;

@@ -9,11 +9,11 @@
 
 namespace shlm {
 
-/// Rectangles in the planes of flat patches (flat_patches.h) of one instance's triangles, for texels of this
-/// size, world units; `both_faces` as TexelChart has it. Triangles keep their shape; texels of a chart have
-/// the same area but for what they miss at its border. Patches that leave more than half of their rectangle
-/// empty are divided, and such as are smaller than half a texel share a chart with others within the same
-/// cube of a texel's size. Depends on the scene and the size alone.
+/// Returns rectangles in the planes of flat patches (flat_patches.h) of one instance's triangles, for texels
+/// of this size, world units; `both_faces` as in TexelChart. Triangles keep their shape, and texels of a
+/// chart have the same area except at its border. Patches that leave more than half of their rectangle empty
+/// are divided. Patches smaller than half a texel share a chart with others within the same cube of a texel's
+/// size. The result depends only on the scene and the size.
 [[nodiscard]] std::vector<TexelChart> face_charts(const common::Scene& scene,
                                                   std::span<const std::uint32_t> triangles, bool both_faces,
                                                   double texel_size);

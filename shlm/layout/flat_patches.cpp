@@ -11,13 +11,13 @@ namespace {
 using common::Scene;
 using common::Vec3;
 
-/// Triangles of the scene. Below, they are counted by their places here.
+/// Triangles of the scene. Below, a triangle's number is its index in this list.
 using Triangles = std::span<const std::uint32_t>;
 
 constexpr std::uint32_t none = 0xffffffff;
 
-/// Corners of the triangles, three each, as numbers that are equal where positions are: files
-/// repeat vertices where normals or texture coordinates differ.
+/// Returns numbers of the triangles' corners, three each, equal for equal positions. Files repeat vertices
+/// where normals or texture coordinates differ.
 std::vector<std::uint32_t> corners_by_position(const Scene& scene, Triangles triangles) {
     const auto position = [&](std::uint32_t corner) -> const Vec3& {
         return scene.position[scene.triangle[triangles[corner / 3]][corner % 3]];
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> corners_by_position(const Scene& scene, Triangles tri
     return number;
 }
 
-/// What lies behind each edge of a triangle, or `none`. Where an edge has more than two triangles, they are
+/// The triangle behind each edge of a triangle, or `none`. If an edge has more than two triangles, they are
 /// paired in the file's order.
 using Neighbours = std::array<std::uint32_t, 3>;
 
@@ -65,7 +65,7 @@ std::vector<Neighbours> find_neighbours(const Scene& scene, Triangles triangles)
     return neighbours;
 }
 
-/// Those that have an area, the largest first.
+/// Returns the triangles that have an area, the largest first.
 std::vector<std::uint32_t> by_area(const Scene& scene, Triangles triangles) {
     std::vector<float> area(triangles.size());
     std::vector<std::uint32_t> order;

@@ -38,7 +38,7 @@ Coordinates coordinates_of(const Scene& scene, const MeshInstance& instance, int
     return coordinates;
 }
 
-/// Area in coordinates over area in the world, for half of the world's area at most this.
+/// Returns the median ratio of area in coordinates to area in the world, weighted by the latter.
 double median_density(const Coordinates& of) {
     std::vector<std::pair<double, double>> by_density;  // with the world's area
     double half = 0;
@@ -62,7 +62,7 @@ std::vector<bool> find_collapsed(const Coordinates& of) {
     return collapsed;
 }
 
-/// The triangles of islands that cover themselves, or places of an island of a larger area that is not among
+/// Returns the triangles of islands that overlap themselves, or an island of a larger area that is not among
 /// these.
 std::vector<bool> find_overlapping(std::span<const std::uint32_t> island, std::span<const UvOverlap> overlaps,
                                    const Coordinates& of) {
@@ -98,7 +98,7 @@ UselessUv useless(const std::vector<bool>& which, const Coordinates& of, const M
     return result;
 }
 
-/// The instance's area, and nothing to place it by.
+/// Returns the instance's area without a set of coordinates.
 LightmapUv without_set(const LightmapUv& examined) {
     LightmapUv none;
     none.area = examined.area;
@@ -122,11 +122,11 @@ LightmapUv examine(const Scene& scene, const MeshInstance& instance, int set) {
     if (result.bounds.isEmpty() || !(size.x > 0 && size.y > 0)) return without_set(result);
 
     const std::vector<UvOverlap> overlaps = find_uv_overlaps(of.uv);
-    std::vector<double> shared(of.size(), 0);  // part of each triangle
+    std::vector<double> shared(of.size(), 0);  // fraction of each triangle
     for (const UvOverlap& overlap : overlaps)
         for (const std::uint32_t i : {overlap.first, overlap.second})
             shared[i] = std::min(1.0, shared[i] + overlap.area / of.uv_area[i]);
-    double covered = 0;  // a place that two triangles share is half each one's
+    double covered = 0;  // a place that two triangles share counts half for each
     for (std::size_t i = 0; i < of.size(); ++i) {
         if (collapsed[i]) continue;
         result.overlapping_area += of.world_area[i] * shared[i];

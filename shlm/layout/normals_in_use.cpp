@@ -17,10 +17,10 @@ constexpr std::size_t samples = 32;  // per region
 
 struct RegionSurface {
     std::vector<std::uint32_t> triangle;
-    std::vector<double> area_before;  ///< up to and with each triangle
+    std::vector<double> area_before;  ///< cumulative, each triangle included
 };
 
-/// One of each region.
+/// Returns one surface for each region.
 std::vector<RegionSurface> surfaces_of(const Scene& scene, const TexelLayout& layout) {
     std::vector<RegionSurface> surfaces(layout.regions().size());
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) {
@@ -33,7 +33,7 @@ std::vector<RegionSurface> surfaces_of(const Scene& scene, const TexelLayout& la
     return surfaces;
 }
 
-/// In the frame of the geometric normal.
+/// Returns the shading normal in the frame of the geometric normal.
 Vec3 bent_normal(const Scene& scene, const common::SurfaceId& surface) {
     const Vec3 front = scene.geometric_normal[surface.triangle];
     const Vec3 shading = common::surface_point_at(scene, surface, -front).shading_normal;
@@ -47,7 +47,7 @@ NormalsInUse normals_of(const Scene& scene, const RegionSurface& surface) {
         const double at = (static_cast<double>(i) + 0.5) / samples * surface.area_before.back();
         const auto found = std::upper_bound(surface.area_before.begin(), surface.area_before.end() - 1, at);
         const auto triangle = surface.triangle[static_cast<std::size_t>(found - surface.area_before.begin())];
-        // Additive sequence of the plastic number (Roberts 2018), folded into the triangle.
+        // The additive sequence of the plastic number (Roberts 2018), folded into the triangle.
         const auto along = [&](double step) {
             const double x = 0.5 + step * static_cast<double>(i + 1);
             return static_cast<float>(x - std::floor(x));

@@ -1,4 +1,4 @@
-// Which normals a light map will be asked for.
+// The shading normals for which a light map will be queried.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,16 @@
 
 namespace shlm {
 
-/// Cosine of the degree within which normals count as one.
+/// Cosine of one degree: normals within it count as equal.
 inline constexpr float straight_cosine = 0.99985f;
 
-/// Shading normals all over one region of the layout.
+/// The shading normals over one region of the layout.
 struct NormalsInUse {
-    /// Unit, in a frame whose z is the surface's normal there: some, each for the same share of the area.
-    /// Empty where none of them is bent: there the irradiance of the surface itself is all that is asked for.
+    /// Unit, in a frame whose z is the surface's normal there: samples, each for the same share of the area.
+    /// Empty if all are along z: there only the irradiance of the surface itself is needed.
     std::vector<common::Vec3> bent;
 
-    /// Mean over them.
+    /// Returns the mean squared sine of their angles to z.
     [[nodiscard]] float sine_sq() const {
         float sum = 0;
         for (const common::Vec3& normal : bent) sum += 1 - normal.z * normal.z;
@@ -24,7 +24,7 @@ struct NormalsInUse {
     }
 };
 
-/// One entry per region of the layout.
+/// Returns one entry per region of the layout.
 [[nodiscard]] std::vector<NormalsInUse> normals_in_use(const common::Scene& scene, const TexelLayout& layout);
 
 }  // namespace shlm

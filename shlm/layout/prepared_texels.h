@@ -1,4 +1,4 @@
-// Everything about a scene's light map that does not depend on its light.
+// The parts of a scene's light map that do not depend on its light.
 #pragma once
 
 #include <memory>
@@ -17,13 +17,13 @@ struct PreparedTexels {
     TexelLayout layout;
     std::vector<TexelGeometry> geometry;        ///< one per texel of the layout
     std::vector<NormalsInUse> normals;          ///< one per region of the layout
-    std::shared_ptr<const TexelPieces> pieces;  ///< all maps that look a point's own surface up share them
+    std::shared_ptr<const TexelPieces> pieces;  ///< shared by all maps that need a point's own surface
 
     PreparedTexels(const common::Scene& scene, std::span<const LightmapUv> uv, std::size_t texels,
                    TexelPlacement placement = TexelPlacement::uv)
         : PreparedTexels(scene, uv, texels, placement, common::SurfacePieces(scene)) {}
 
-    /// The same with the scene's pieces, where they are known.
+    /// Does the same with the scene's pieces, if they are known.
     PreparedTexels(const common::Scene& scene, std::span<const LightmapUv> uv, std::size_t texels,
                    TexelPlacement placement, common::SurfacePieces of_surface)
         : layout(scene, texel_charts(scene, uv, placement, texels), texels),
@@ -31,13 +31,13 @@ struct PreparedTexels {
           normals(normals_in_use(scene, layout)),
           pieces(std::make_shared<TexelPieces>(std::move(of_surface), layout, geometry)) {}
 
-    /// Made when it is first asked for: not every gather wants it. From any thread.
+    /// Returns the tree, made at the first call, as not every gather needs it. May be called from any thread.
     [[nodiscard]] const std::shared_ptr<const TexelTree>& tree() const {
         std::call_once(tree_->once, [this] { tree_->made = std::make_shared<TexelTree>(geometry); });
         return tree_->made;
     }
 
-    /// Without the tree, which is part of the maps that use it.
+    /// Returns the memory without the tree, which is part of the maps that use it.
     [[nodiscard]] std::size_t bytes() const {
         std::size_t bytes = layout.bytes() + geometry.capacity() * sizeof(TexelGeometry) + pieces->bytes() +
                             normals.capacity() * sizeof(NormalsInUse);

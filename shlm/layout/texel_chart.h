@@ -1,4 +1,4 @@
-// A piece of surface laid flat into a rectangle.
+// A piece of surface flattened into a rectangle.
 #pragma once
 
 #include <array>
@@ -17,14 +17,15 @@ struct ChartPlane {
 };
 
 struct TexelChart {
-    /// Of the rectangle, in the world, as if it were covered all over; world units.
+    /// Sides of the rectangle in the world, as if it were covered completely; world units.
     double width = 0, height = 0;
     bool both_faces = false;  ///< the backs have a rectangle of their own
 
     std::vector<std::uint32_t> triangle;  ///< of the scene
-    /// One per triangle: where its corners lie, the rectangle being the unit square.
+    /// One per triangle: the positions of its corners, with the rectangle as the unit square.
     std::vector<std::array<common::Vec2, 3>> corner;
-    /// Whose perpendicular projections the corners are; none where they come from lightmap coordinates.
+    /// The plane to which the corners were projected perpendicularly; none if they come from lightmap
+    /// coordinates.
     std::optional<ChartPlane> plane;
 };
 

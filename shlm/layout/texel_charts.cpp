@@ -38,7 +38,7 @@ std::vector<TexelChart> charts_at_size(const Scene& scene, std::span<const Light
     return charts;
 }
 
-/// If texels fitted together without a rest.
+/// Returns the size if whole texels filled the area exactly.
 double ideal_texel_size(const Scene& scene, std::span<const LightmapUv> uv, std::size_t wanted_texels) {
     double area = 0;
     for (std::size_t i = 0; i < uv.size(); ++i)
@@ -59,8 +59,8 @@ bool placed_by_face(const LightmapUv& uv, TexelPlacement placement) {
 
 std::vector<TexelChart> texel_charts(const Scene& scene, std::span<const LightmapUv> uv,
                                      TexelPlacement placement, std::size_t wanted_texels) {
-    // Where surfaces are in pieces smaller than texels, these must be larger for no more than are wanted:
-    // then more of the surface is flat to them, and has fewer charts.
+    // Surfaces may have pieces smaller than texels. Then texels must be larger, so that there are no more
+    // than wanted: more of the surface is flat to them, and has fewer charts.
     constexpr int most_attempts = 20;
     const auto wanted = static_cast<double>(wanted_texels);
     double size = ideal_texel_size(scene, uv, wanted_texels);

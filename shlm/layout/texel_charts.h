@@ -9,13 +9,13 @@
 
 namespace shlm {
 
-/// Whether an instance's texels lie by its lightmap coordinates, or by its faces. Where neither, it has none.
-/// Where coordinates are chosen automatically, triangles that they are useless for lie by face.
+/// Return whether an instance's texels are placed by its lightmap coordinates, or by its faces; if neither,
+/// it has none. With automatic placement, triangles with unusable coordinates are placed by face.
 [[nodiscard]] bool placed_by_uv(const LightmapUv& uv, TexelPlacement placement);
 [[nodiscard]] bool placed_by_face(const LightmapUv& uv, TexelPlacement placement);
 
-/// For all diffuse surfaces that have a place. `uv` has one entry for each mesh instance. Charts of faces are
-/// made for the size that `wanted_texels` will have.
+/// Returns the charts of all diffuse surfaces that have a place. `uv` has one entry for each mesh instance.
+/// Charts of faces are made for the texel size that results from `wanted_texels`.
 [[nodiscard]] std::vector<TexelChart> texel_charts(const common::Scene& scene, std::span<const LightmapUv> uv,
                                                    TexelPlacement placement, std::size_t wanted_texels);
 

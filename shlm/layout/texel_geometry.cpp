@@ -21,7 +21,7 @@ struct Polygon {
     void push(const Point& p) { corner[count++] = p; }
 };
 
-/// The part of `polygon` where sign * (p[axis] - limit) >= 0 (Sutherland and Hodgman 1974).
+/// Returns the part of `polygon` where sign * (p[axis] - limit) >= 0 (Sutherland and Hodgman 1974).
 Polygon clip(const Polygon& polygon, int axis, double limit, double sign) {
     Polygon kept;
     for (int i = 0; i < polygon.count; ++i) {
@@ -58,10 +58,10 @@ struct GeometrySums {
     Imath::V3d center{0, 0, 0};  ///< times area
     Imath::V3d normal{0, 0, 0};  ///< times area
     std::uint32_t piece = 0;
-    double piece_lead = 0;  ///< area of `piece` less what others have taken from it
+    double piece_lead = 0;  ///< area of `piece` less the area of others counted against it
 
-    /// Area of a piece is set off against that of others: what more than half is of is left (Boyer and Moore,
-    /// "MJRTY", 1991).
+    /// Counts the area of a piece against that of others, so that a piece with more than half of the area
+    /// remains (Boyer and Moore, "MJRTY", 1991).
     void count(std::uint32_t of, double part) {
         if (of == piece) {
             piece_lead += part;
@@ -72,7 +72,7 @@ struct GeometrySums {
     }
 };
 
-/// Adds the parts of one triangle, which is of `piece`, to the texels of its region's front.
+/// Adds the parts of one triangle, which belongs to `piece`, to the texels of its region's front.
 void add_triangle(const Scene& scene, std::uint32_t index, std::uint32_t piece, const TriangleTexels& placed,
                   std::span<GeometrySums> texels) {
     const Point corner(placed.corner), edge_u(placed.edge_u), edge_v(placed.edge_v);

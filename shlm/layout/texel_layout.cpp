@@ -23,8 +23,7 @@ void place_triangle(const std::array<Vec2, 3>& corner, const TexelRegion& region
     placed.corner = corner[0] * size;
     placed.edge_u = corner[1] * size - placed.corner;
     placed.edge_v = corner[2] * size - placed.corner;
-    // A triangle whose coordinates span no area has no place in the map: its flux would be divided by
-    // nothing.
+    // A triangle whose coordinates span no area has no texels: its flux would be divided by 0.
     if (placed.edge_u.x * placed.edge_v.y == placed.edge_u.y * placed.edge_v.x) return;
     placed.first_texel = region.first_texel;
     placed.width = region.width;

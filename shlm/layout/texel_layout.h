@@ -1,4 +1,4 @@
-// Where the texels are: a region of the light map for each chart, and the texel under a surface point.
+// The layout of texels: a region of the light map for each chart, and the texel at a surface point.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace shlm {
 
 inline constexpr std::uint32_t no_texel = 0xffffffff;
 
-/// One chart's rectangle of texels; row by row from `first_texel`. Surfaces whose material shows both faces
-/// have a second rectangle right behind the first for their backs.
+/// One chart's rectangle of texels, row by row from `first_texel`. Surfaces whose material shows both faces
+/// have a second rectangle right after the first, for their backs.
 struct TexelRegion {
     std::uint32_t first_texel = 0;
     std::uint32_t width = 1, height = 1;
@@ -22,13 +22,13 @@ struct TexelRegion {
 
     [[nodiscard]] std::uint32_t texels_per_face() const { return width * height; }
 
-    /// Of its front's rectangle, or its back's.
+    /// Returns the first texel of the front's rectangle, or of the back's.
     [[nodiscard]] std::uint32_t first_texel_of(bool back) const {
         return first_texel + (back ? texels_per_face() : 0);
     }
 };
 
-/// From a position in the world to one on a region's rectangle.
+/// Maps a position in the world to one on a region's rectangle.
 struct RegionPlane {
     common::Vec3 origin;
     common::Vec3 right, down;  ///< texels per world unit
@@ -39,7 +39,7 @@ struct RegionPlane {
     }
 };
 
-/// Everything that finding a hit's texel needs to know of its triangle, on one cache line.
+/// The data of a triangle that are needed to find a hit's texel, in one cache line.
 struct alignas(64) TriangleTexels {
     common::Vec2 corner, edge_u,
         edge_v;           ///< lightmap position = corner + u edge_u + v edge_v, in texels of the region
@@ -49,31 +49,31 @@ struct alignas(64) TriangleTexels {
     bool both_faces = false;
 };
 
-/// The texels' size, world units: the smallest with which the charts have no more than `wanted_texels`. None
-/// has fewer than one for each face.
+/// Returns the texels' size, world units: the smallest with which the charts have at most `wanted_texels`.
+/// Each chart has at least one for each face.
 [[nodiscard]] double texel_size_for(std::span<const TexelChart> charts, std::size_t wanted_texels);
 
-/// How many texels the charts have at a size.
+/// Returns the number of texels of the charts at a size.
 [[nodiscard]] double texels_at_size(std::span<const TexelChart> charts, double texel_size);
 
 class TexelLayout {
   public:
-    /// Gives each chart texels in proportion to its area in the world, `wanted_texels` in all as nearly as
-    /// whole rectangles allow. Triangles of the scene that are in no chart have no texels. Throws
-    /// InputError where there are more than can be counted.
+    /// Gives each chart texels in proportion to its area in the world, `wanted_texels` in total as nearly as
+    /// whole rectangles allow. Triangles of the scene that are in no chart have no texels. Throws InputError
+    /// if there are more than can be counted.
     TexelLayout(const common::Scene& scene, std::span<const TexelChart> charts, std::size_t wanted_texels);
 
     [[nodiscard]] std::span<const TexelRegion> regions() const { return regions_; }
 
-    /// In the regions' order; none at all where a chart has no plane.
+    /// Returns the planes in the regions' order; none at all if any chart has no plane.
     [[nodiscard]] std::span<const RegionPlane> planes() const { return planes_; }
 
-    /// Texels of all regions, those included that no triangle covers.
+    /// Returns the number of texels of all regions, including those that no triangle covers.
     [[nodiscard]] std::size_t texel_count() const { return texel_count_; }
 
     [[nodiscard]] const TriangleTexels& triangle(std::uint32_t index) const { return triangles_[index]; }
 
-    /// Of the scene.
+    /// Returns the number of triangles of the scene.
     [[nodiscard]] std::size_t triangle_count() const { return triangles_.size(); }
 
     [[nodiscard]] std::size_t bytes() const {
@@ -81,7 +81,7 @@ class TexelLayout {
                triangles_.capacity() * sizeof(TriangleTexels);
     }
 
-    /// Index of the region that a triangle with texels lies in.
+    /// Returns the index of the region that a triangle with texels lies in.
     [[nodiscard]] std::size_t region_of(std::uint32_t triangle) const {
         const auto after = std::upper_bound(
             regions_.begin(), regions_.end(), triangles_[triangle].first_texel,
@@ -96,13 +96,13 @@ class TexelLayout {
     std::size_t texel_count_ = 0;
 };
 
-/// Column or row of the texel that a place on the rectangle lies in, or of the nearest where rounding took it
-/// beyond the border.
+/// Returns the column or row of the texel at a position on the rectangle, or of the nearest if rounding moved
+/// it beyond the border.
 [[nodiscard]] inline std::uint32_t texel_along(float position, std::uint32_t count) {
     return static_cast<std::uint32_t>(std::clamp(static_cast<int>(position), 0, static_cast<int>(count) - 1));
 }
 
-/// Index of the texel that the point lies in; `front` says on which face.
+/// Returns the index of the texel that contains the point; `front` selects the face.
 [[nodiscard]] inline std::uint32_t texel_at(const TriangleTexels& triangle, float u, float v, bool front) {
     const common::Vec2 at = triangle.corner + triangle.edge_u * u + triangle.edge_v * v;
     const std::uint32_t back = front ? 0 : triangle.width * triangle.height;

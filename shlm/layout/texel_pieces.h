@@ -1,4 +1,4 @@
-// Which texels are of a point's own surface.
+// Relates the texels of a light map to surface pieces.
 #pragma once
 
 #include <span>
@@ -9,17 +9,17 @@
 
 namespace shlm {
 
-/// The surface pieces of a scene, as a light map's texels know them.
+/// The surface pieces of a scene that the texels of a light map belong to.
 class TexelPieces {
   public:
     TexelPieces(common::SurfacePieces pieces, const TexelLayout& layout,
                 std::span<const TexelGeometry> texels);
 
-    /// The piece whose texels answer for points on a triangle: its own, or where that is too small to have
-    /// texels, the one that the texel in the triangle's middle is of.
+    /// Returns the piece whose texels contribute to points on a triangle. It is the triangle's own or, if
+    /// that is too small to have texels, that of the texel in the triangle's middle.
     [[nodiscard]] std::uint32_t of_triangle(std::uint32_t triangle) const { return of_triangle_[triangle]; }
 
-    /// Whether texels of one piece answer for points of the other: both are one, or share an edge.
+    /// Returns whether texels of one piece contribute to points of the other: both are one, or share an edge.
     [[nodiscard]] bool meet(std::uint32_t a, std::uint32_t b) const { return pieces_.meet(a, b); }
 
     [[nodiscard]] std::size_t bytes() const {

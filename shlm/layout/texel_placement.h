@@ -1,4 +1,4 @@
-// How many texels a light map has, and what they are laid out by.
+// The number of texels of a light map, and their placement.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@ namespace shlm {
 
 inline constexpr std::size_t default_texels = 262144;
 
-/// What the texels are laid out by.
+/// How texels are placed on surfaces.
 enum class TexelPlacement {
-    automatic,  ///< uv where a surface has coordinates that do not overlap, faces elsewhere
+    automatic,  ///< uv if a surface has coordinates that do not overlap, else face
     uv,         ///< lightmap coordinates; surfaces without them have no texels
-    face        ///< the surface's own flat pieces; no coordinates are looked at
+    face        ///< the surface's own flat patches; coordinates are ignored
 };
 
 }  // namespace shlm

@@ -1,5 +1,5 @@
-// Where surface points lie among the texels, for finished maps: in a quarter or less of the bytes that taking
-// hits needs.
+// The places of surface points among the texels, for finished maps. They take a quarter or less of the memory
+// that taking hits needs.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace shlm {
 
-/// Of one surface point.
+/// The place of one surface point.
 struct TexelPlace {
-    std::uint32_t region;  ///< index into the layout's
+    std::uint32_t region;  ///< index into the layout's regions
     bool back;             ///< on the region's second rectangle
     common::Vec2 at;       ///< in texels of the rectangle
 
@@ -20,14 +20,14 @@ struct TexelPlace {
     [[nodiscard]] std::uint32_t row(const TexelRegion& in) const { return texel_along(at.y, in.height); }
 };
 
-/// Where all regions have planes, a point's position says where it is: 52 bytes per region and 4 per
+/// If all regions have planes, a point's position determines its place: 52 bytes per region and 4 per
 /// triangle. Otherwise its triangle's corners do: 16 bytes per region and per triangle. They are rounded to
-/// 2^-16 of their region's width and height, a hundredth of a texel in regions of 655.
+/// 2^-16 of their region's width and height, a hundredth of a texel in regions of 655 texels.
 class TexelPlaces {
   public:
     explicit TexelPlaces(const TexelLayout& layout);
 
-    /// Nothing where the point has no texel.
+    /// Returns nothing if the point has no texel.
     [[nodiscard]] std::optional<TexelPlace> find(const common::SurfacePoint& point) const {
         const std::uint32_t region = region_of_[point.surface.triangle];
         if (region == no_region) return std::nullopt;
@@ -49,7 +49,7 @@ class TexelPlaces {
   private:
     static constexpr std::uint32_t no_region = 0xffffffff;
 
-    /// Of a triangle: x, y of each.
+    /// The corners of a triangle: x, y of each.
     using Corners = std::array<std::uint16_t, 6>;
 
     [[nodiscard]] common::Vec2 between_corners(const common::SurfaceId& surface,
@@ -65,7 +65,7 @@ class TexelPlaces {
     std::vector<TexelRegion> regions_;
     std::vector<RegionPlane> planes_;       ///< of all regions, or none
     std::vector<std::uint32_t> region_of_;  ///< per triangle of the scene
-    std::vector<Corners> corners_;          ///< per triangle of the scene; none where there are planes
+    std::vector<Corners> corners_;          ///< per triangle of the scene; none if there are planes
 };
 
 }  // namespace shlm

@@ -1,4 +1,4 @@
-// The covered texels by where they are in space.
+// A spatial index of the covered texels.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace shlm {
 
-/// Numbers the covered texels in the layout's order. It does not depend on any light: one serves all maps of
-/// the same texels.
+/// Numbers the covered texels in the layout's order. It does not depend on any light, so that one serves all
+/// maps with the same texels.
 class TexelTree {
   public:
     explicit TexelTree(std::span<const TexelGeometry> texels);
@@ -22,14 +22,14 @@ class TexelTree {
         index_.search(query, collector, accept);
     }
 
-    /// Of its surface (common::SurfacePieces).
+    /// Returns the surface piece of a texel (common::SurfacePieces).
     [[nodiscard]] std::uint32_t piece(std::uint32_t number) const { return piece_[number]; }
 
-    /// Four widths of the largest texel, world units: every point of a surface has a texel of its own that
-    /// near.
+    /// Returns four widths of the largest texel, world units: every point of a surface has a texel of its own
+    /// within that distance.
     [[nodiscard]] float max_radius() const { return max_radius_; }
 
-    /// Without the pieces.
+    /// Returns the memory without the pieces.
     [[nodiscard]] std::size_t bytes() const {
         return center_.capacity() * sizeof(common::Vec3) + index_.bytes();
     }

@@ -10,8 +10,8 @@ using common::MeshInstance;
 using common::Scene;
 using common::Vec2;
 
-/// Mean length in the world of a unit step along u and along v, weighted by area. In double: positions may be
-/// 1e18 apart, and lightmap coordinates as near to each other as floats can be.
+/// Returns the mean length in the world of a unit step along u and along v, weighted by area. In double, as
+/// positions may be 1e18 apart, and lightmap coordinates as near to each other as floats can be.
 Imath::V2d mean_stretch(const Scene& scene, std::span<const std::uint32_t> triangles, int set) {
     Imath::V2d sum(0, 0);
     double area = 0;

@@ -6,9 +6,9 @@
 
 namespace shlm {
 
-/// Of the triangles that the coordinates place, the overlapping ones among them or not. The rectangle is that
-/// around the coordinates; its sides in the world are those that make texels as square there as the
-/// coordinates allow. `uv.texcoord_set` is 0 or 1.
+/// Returns the chart of the triangles that the coordinates place, with or without the overlapping ones. The
+/// rectangle is that around the coordinates. Its sides in the world make texels as square there as the
+/// coordinates allow. `uv.texcoord_set` must be 0 or 1.
 [[nodiscard]] TexelChart uv_chart(const common::Scene& scene, const common::MeshInstance& instance,
                                   const LightmapUv& uv, bool with_overlapping);
 

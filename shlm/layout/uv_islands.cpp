@@ -12,7 +12,7 @@ namespace {
 using common::MeshInstance;
 using common::Scene;
 
-/// Of the instance's corners, three a triangle: numbers that are equal where position and coordinates are.
+/// Returns numbers of the instance's corners, three per triangle, equal for equal position and coordinates.
 std::vector<std::uint32_t> corners_by_place(const Scene& scene, const MeshInstance& instance, int set) {
     const auto place = [&](std::uint32_t corner) {
         const std::uint32_t vertex = scene.triangle[instance.first_triangle + corner / 3][corner % 3];

@@ -1,4 +1,4 @@
-// Which triangles hang together in the lightmap.
+// Finds the triangles that are connected in the lightmap.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace shlm {
 
-/// The island of each of the instance's triangles, numbered from 0 in the order of their first triangles:
-/// triangles that share an edge, whose ends have the same positions and the same coordinates of
-/// `texcoord_set` on both sides, are of one island.
+/// Returns the island of each of the instance's triangles, numbered from 0 in the order of their first
+/// triangles. Triangles are of one island if they share an edge whose ends have the same positions and the
+/// same coordinates of `texcoord_set` on both sides.
 [[nodiscard]] std::vector<std::uint32_t> uv_islands(const common::Scene& scene,
                                                     const common::MeshInstance& instance, int texcoord_set);
 

@@ -26,15 +26,15 @@ Corners counter_clockwise(const UvTriangle& t) {
     return corners;
 }
 
-/// The smallest distance from a corner to the opposite side.
+/// Returns the smallest distance from a corner to the opposite side.
 double height(const Corners& t) {
     double longest_sq = 0;
     for (std::size_t i = 0; i < 3; ++i) longest_sq = std::max(longest_sq, (t[(i + 1) % 3] - t[i]).length2());
     return cross(t[1] - t[0], t[2] - t[0]) / std::sqrt(longest_sq);
 }
 
-/// How far the triangles reach into each other across the sides of `a`: not positive where one of these parts
-/// them.
+/// Returns how far the triangles reach into each other across the sides of `a`; not positive if one of these
+/// sides separates them.
 double depth_behind_sides(const Corners& a, const Corners& b) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -46,7 +46,7 @@ double depth_behind_sides(const Corners& a, const Corners& b) {
     return least;
 }
 
-/// Area that both cover: `b` cut at the sides of `a` (Sutherland and Hodgman 1974).
+/// Returns the area that both cover: `b` clipped by the sides of `a` (Sutherland and Hodgman 1974).
 double common_area(const Corners& a, const Corners& b) {
     std::array<V2d, 8> polygon = {b[0], b[1], b[2]}, cut;
     std::size_t count = 3;
@@ -70,10 +70,10 @@ double common_area(const Corners& a, const Corners& b) {
     return twice / 2;
 }
 
-/// Two triangles that have so many overlaps each are not compared.
+/// Two triangles that have so many overlaps each are not compared with each other.
 constexpr std::size_t many_overlaps = 16;
 
-/// What cannot be parted is compared with so many others: a place where more meet has many overlaps.
+/// Limit of the comparisons of a triangle in a cell that cannot be divided: if more meet there, many overlap.
 constexpr std::size_t most_compared = 1024;
 
 class Search {
@@ -106,7 +106,7 @@ class Search {
     }
 
   private:
-    /// Compares all that reach into `cell`, in smaller cells as long as that parts them.
+    /// Compares all triangles that reach into `cell`, in smaller cells as long as these separate them.
     void divide(std::vector<std::uint32_t> inside, const Box2f& cell) {
         constexpr std::size_t few = 12;
         if (inside.size() > few) {
@@ -117,7 +117,7 @@ class Search {
                 if (bounds_[i].min[axis] <= middle) lower.push_back(i);
                 if (bounds_[i].max[axis] > middle) upper.push_back(i);
             }
-            // As long as few lie on both sides: all of them make no progress.
+            // Divides only if few lie on both sides; otherwise there would be no progress.
             if (lower.size() + upper.size() <= inside.size() + inside.size() / 2 && middle > cell.min[axis] &&
                 middle < cell.max[axis]) {
                 inside = {};
@@ -156,7 +156,8 @@ class Search {
         const Box2f &in_a = bounds_[a], &in_b = bounds_[b];
         const common::Vec2 low(std::max(in_a.min.x, in_b.min.x), std::max(in_a.min.y, in_b.min.y));
         if (low.x >= std::min(in_a.max.x, in_b.max.x) || low.y >= std::min(in_a.max.y, in_b.max.y)) return;
-        // A pair that reaches into several cells is the one's that has the corner of what both bounds share.
+        // A pair in several cells belongs to the one that contains the low corner of the overlap of both
+        // bounds.
         if (low.x < cell.min.x || low.y < cell.min.y || low.x > cell.max.x || low.y > cell.max.y) return;
         const Corners &of_a = corners_[a], &of_b = corners_[b];
         const double smaller = std::min(height(of_a), height(of_b));
@@ -185,7 +186,7 @@ std::vector<UvOverlap> find_uv_overlaps(std::span<const UvTriangle> triangles) {
         return std::pair(a.first, a.second) < std::pair(b.first, b.second);
     };
     std::sort(overlaps.begin(), overlaps.end(), before);
-    // What both bounds share may have its corner on the border of two cells.
+    // That corner may be on the border of two cells, so that a pair is found twice.
     overlaps.erase(std::unique(overlaps.begin(), overlaps.end(),
                                [](const UvOverlap& a, const UvOverlap& b) {
                                    return a.first == b.first && a.second == b.second;

@@ -1,4 +1,4 @@
-// Which triangles share places of the lightmap.
+// Finds the triangles that share places of the lightmap.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@ namespace shlm {
 
 using UvTriangle = std::array<common::Vec2, 3>;
 
-/// Twice the area, positive if the corners are counter-clockwise. In double, so that the sign is right for
-/// float coordinates.
+/// Returns twice the area, positive if the corners are counter-clockwise. In double, so that the sign is
+/// right for float coordinates.
 [[nodiscard]] inline double signed_double_area(const UvTriangle& t) {
     const Imath::V2d a(t[0]), ab = Imath::V2d(t[1]) - a, ac = Imath::V2d(t[2]) - a;
     return ab.x * ac.y - ab.y * ac.x;
@@ -22,13 +22,13 @@ using UvTriangle = std::array<common::Vec2, 3>;
 /// Two triangles that cover the same places.
 struct UvOverlap {
     std::uint32_t first, second;  ///< indices, the lower first
-    double area;                  ///< that both cover
+    double area;                  ///< covered by both
 };
 
-/// Pairs of triangles whose coordinates overlap, by more than what rounding brings where charts touch: a
+/// Returns the pairs of triangles whose coordinates overlap by more than the rounding where charts touch: a
 /// 16,384th of the bounds' longer side, or a twentieth of the smaller triangle's height if that is less.
-/// Those without area overlap nothing. Of triangles that overlap many others, all in one place perhaps as
-/// those of repeating textures, some overlaps are left out, but no triangle is that has fewer than 16.
+/// Triangles without area overlap nothing. If triangles overlap many others, perhaps all in one place as with
+/// repeating textures, some overlaps are left out, but only between triangles that have at least 16.
 [[nodiscard]] std::vector<UvOverlap> find_uv_overlaps(std::span<const UvTriangle> triangles);
 
 }  // namespace shlm

@@ -1,4 +1,4 @@
-// From the irradiance of all texels that answer for a point to the point's.
+// The irradiance at a point from that of all texels that contribute to it.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ class IrradianceMean {
         sum_ += irradiance * weight;
     }
 
-    /// Never negative: what the truncated series takes below zero is cut off. Zero where nothing was added.
+    /// Returns the mean. Negative values of the truncated series are clamped to 0. Zero if nothing was added.
     [[nodiscard]] common::Rgb irradiance() const {
         common::Rgb result(0, 0, 0);
         if (weight_ == 0) return result;
@@ -23,7 +23,7 @@ class IrradianceMean {
         return result;
     }
 
-    /// The same before anything is cut off.
+    /// Returns the same without clamping.
     [[nodiscard]] common::Rgb series() const { return weight_ == 0 ? common::Rgb(0, 0, 0) : sum_ / weight_; }
 
   private:

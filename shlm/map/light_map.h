@@ -15,12 +15,12 @@
 
 namespace shlm {
 
-/// Immutable. Its size does not depend on how many hits it has taken. `Number`, float or half, is what it
-/// stores.
+/// Immutable. Its size does not depend on how many hits it has taken. `Number`, float or half, is the type
+/// that it stores.
 template <Basis B, class Number = float>
 class LightMap {
   public:
-    /// `sums` are of the same layout as `texels`; `watts_per_flux` as in common::MapSink; `least_hits` as in
+    /// `sums` must have the layout of `texels`; `watts_per_flux` as in common::MapSink; `least_hits` as in
     /// TexelBlocks.
     template <class Model>
     LightMap(const TexelSums<Model>& sums, const PreparedTexels& texels, float watts_per_flux,
@@ -38,8 +38,8 @@ class LightMap {
         }
     }
 
-    /// Irradiance for the shading normal, W/m^2: the weighted mean over the texels that the lookup finds.
-    /// Never negative. Zero where it finds none.
+    /// Returns irradiance for the shading normal, W/m^2: the weighted mean over the texels that the lookup
+    /// finds. Never negative; zero if it finds none.
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const {
         const typename B::Question question(point.shading_normal);
         IrradianceMean mean;
@@ -64,11 +64,11 @@ class LightMap {
 
     [[nodiscard]] std::span<const Texel<B, Number>> texels() const { return texels_; }
 
-    /// Of the texels' numbers of light, W/m^2.
+    /// Returns the unit of the texels' coefficients of light, W/m^2.
     [[nodiscard]] float unit() const { return unit_; }
 
   private:
-    /// Those that the lookup holds, in its order.
+    /// Returns the texels that the lookup holds, in its order.
     template <class Model>
     [[nodiscard]] std::vector<Texel<B>> finished_texels(const TexelSums<Model>& sums,
                                                         const PreparedTexels& texels, float watts_per_flux,
@@ -92,7 +92,7 @@ class LightMap {
         return finished;
     }
 
-    /// W/m^2 for each number of the sum.
+    /// Returns W/m^2 for each number of the sum.
     template <class Model>
     [[nodiscard]] static std::array<common::Rgb, Model::summed> mean_of(const TexelSum<Model>& sum,
                                                                         double area, float watts_per_flux) {
@@ -109,7 +109,7 @@ class LightMap {
     float unit_ = 1;
 };
 
-/// What keeps all that a model sums.
+/// The map that keeps all that a model sums.
 template <class Model>
 using HarmonicMap = LightMap<Harmonics<Model::order>>;
 

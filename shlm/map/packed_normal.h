@@ -1,4 +1,4 @@
-// A normal in two 16-bit words, beside halves of numbers.
+// A normal in two 16-bit words, stored beside half floats.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace shlm {
 
-/// Within 0.004 degrees.
+/// Packs a normal with an error of at most 0.004 degrees.
 [[nodiscard]] inline std::array<std::uint16_t, 2> pack_normal(const common::Vec3& normal) {
     const std::uint32_t packed = common::Octahedral<16>::pack(normal);
     return {static_cast<std::uint16_t>(packed), static_cast<std::uint16_t>(packed >> 16)};

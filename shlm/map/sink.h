@@ -22,14 +22,14 @@ class Sink {
         return finish(watts_per_flux, gather_, least_hits_);
     }
 
-    /// The same light kept in another basis, as other numbers, or asked in another way.
+    /// Returns a map of the same light in another basis, with another type of numbers or another gather.
     template <Basis B = Harmonics<Model::order>, class Number = float>
     [[nodiscard]] LightMap<B, Number> finish(float watts_per_flux, const Gather& gather,
                                              std::uint64_t least_hits) const {
         return {accumulator_.sums(), *texels_, watts_per_flux, gather, least_hits};
     }
 
-    /// Hits that no texel of the finished map shows. Goes through all texels.
+    /// Returns the hits that no texel of the finished map shows. Visits all texels.
     [[nodiscard]] common::RejectedHits rejected() const {
         common::RejectedHits rejected = accumulator_.rejected();
         for (std::size_t i = 0; i < texels_->geometry.size(); ++i)
@@ -48,7 +48,7 @@ class Sink {
     Accumulator<Model> accumulator_;
 };
 
-/// What the paper describes, with the weight that makes it right.
+/// The model of the paper, with the weight that makes it right.
 using PaperModel = TexelModel<2, ShWeight::radiance>;
 
 static_assert(common::MapSink<Sink<PaperModel>> && common::UnorderedSink<Sink<PaperModel>>);

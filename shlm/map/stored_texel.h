@@ -1,4 +1,4 @@
-// A texel as the finished map stores it: floats, or halves of them and a packed face.
+// A texel as the finished map stores it: floats, or half floats and a packed face.
 #pragma once
 
 #include <Imath/half.h>
@@ -16,14 +16,14 @@ namespace shlm {
 
 using Imath::half;
 
-/// A TexelFace in six bytes: its area a 65535th of the largest one's or more, in that unit.
+/// A TexelFace in six bytes. The unit of its area is a 65535th of the largest one's, and it is at least 1.
 struct PackedFace {
     std::array<std::uint16_t, 2> normal{};
     std::uint16_t area = 0;
 
     PackedFace() = default;
     PackedFace(const TexelFace& face, float largest_area) {
-        if (face.area == 0 || face.normal == common::Vec3(0, 0, 0)) return;  // faces no one
+        if (face.area == 0 || face.normal == common::Vec3(0, 0, 0)) return;  // contributes to no point
         normal = pack_normal(face.normal);
         area = static_cast<std::uint16_t>(std::max(std::lround(face.area / largest_area * 0xffff), 1l));
     }
@@ -41,22 +41,22 @@ struct Texel {
     std::conditional_t<std::is_same_v<Number, float>, TexelFace, PackedFace> face;
     std::array<Number, count> stored;
 
-    /// Those in W/m^2 in units of the map's (LightMap::unit).
+    /// Returns the numbers. Those of light are in the map's unit (LightMap::unit).
     [[nodiscard]] typename B::Numbers numbers() const {
         typename B::Numbers numbers;
         for (std::size_t i = 0; i < count; ++i) numbers[i] = static_cast<float>(stored[i]);
         return numbers;
     }
 
-    /// For a shading normal, in units of the map's; may be negative.
+    /// Returns irradiance for a shading normal, in the map's unit; may be negative.
     [[nodiscard]] common::Rgb irradiance(const common::Vec3& shading_normal) const {
         return B::irradiance(numbers(), face.unpacked().normal, typename B::Question(shading_normal));
     }
 };
 
-/// W/m^2, a power of two: so large that no number of light in these units is beyond what a half can hold, and
-/// as halves have 40 binary orders of magnitude, what is 4e-9 of the brightest still has all 11 bits.
-/// `largest`: magnitude of the numbers.
+/// Returns a unit for halves, W/m^2, a power of two. It is so large that no coefficient of light exceeds the
+/// range of a half. Halves have 40 binary orders of magnitude, so that 4e-9 of the brightest still has all 11
+/// bits. `largest` is the largest magnitude of the coefficients.
 [[nodiscard]] inline float unit_for_halves(float largest) {
     if (largest == 0) return 1;
     constexpr int largest_exponent = 15;  // 2^15 <= 65504
@@ -71,13 +71,14 @@ template <Basis B>
     return unit_for_halves(largest);
 }
 
-/// The nearest half; the last one for what is beyond it.
+/// Returns the nearest half, clamped to the largest one.
 [[nodiscard]] inline half half_of(float number, float unit) {
     constexpr float largest = 65504;
     return half(std::clamp(number / unit, -largest, largest));
 }
 
-/// `unit` of the numbers; `largest_area` of all texels of the map.
+/// Converts a texel to halves. `unit` is that of the numbers; `largest_area` is that of all texels of the
+/// map.
 template <Basis B>
 [[nodiscard]] Texel<B, half> in_halves(const Texel<B>& texel, float unit, float largest_area) {
     Texel<B, half> result{{texel.face, largest_area}, {}};

@@ -1,4 +1,4 @@
-// Texels that few hits have met show what their neighbourhood has: blocks that share one light.
+// Blocks of texels that share one light where there are few hits.
 #pragma once
 
 #include <oneapi/tbb/parallel_for.h>
@@ -11,15 +11,16 @@
 
 namespace shlm {
 
-/// Divides each rectangle of texels into four again and again, and calls `show(texel, sum, area)` for all
-/// texels: with its own sum and covered area, or with those of the largest block around it that holds fewer
-/// than `least_hits`. Sums are spread and never added to or lost: the light of every block stays what it is.
+/// Divides each rectangle of texels into four recursively, and calls `show(texel, sum, area)` for all texels.
+/// It passes the texel's own sum and covered area, or those of the largest block around it that has fewer
+/// than `least_hits`. Sums are only spread, never increased or lost: the light of every block is preserved.
 ///
-/// Among four texels with that many hits one has none by accident with probability e^(-least_hits / 4); what
-/// is dark for a reason stays dark wherever light beside it has as many.
+/// Of four texels with that many hits, one has none by accident with probability e^(-least_hits / 4). A texel
+/// that is dark for a reason stays dark wherever light beside it has as many hits.
 ///
-/// Blocks are of one surface (block_surface.h): the parts of others are shown by themselves. May call `show`
-/// several times for a texel, the last one counts; different texels at once from several threads.
+/// A block must be one surface (block_surface.h); otherwise its parts are shown separately. May call `show`
+/// several times for a texel; the last call counts. May call it for different texels at once from several
+/// threads.
 template <class Model, class Show>
 class TexelBlocks {
   public:
@@ -40,7 +41,7 @@ class TexelBlocks {
     }
 
   private:
-    static constexpr std::uint32_t parallel_size = 128;  // of a block: smaller ones are no task of their own
+    static constexpr std::uint32_t parallel_size = 128;  // smaller blocks are not tasks of their own
 
     struct Face {
         const TexelRegion& region;
@@ -49,8 +50,8 @@ class TexelBlocks {
     };
 
     struct Block {
-        TexelSum<Model> sum;   ///< its values, of blocks with fewer than least_hits alone
-        BlockSurface surface;  ///< of those alone, too
+        TexelSum<Model> sum;   ///< its values only in blocks with fewer than least_hits
+        BlockSurface surface;  ///< only in those blocks, too
     };
 
     Block show_texel(std::uint32_t texel) const {

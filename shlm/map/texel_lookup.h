@@ -1,4 +1,4 @@
-// Which texels answer for a point, and with what weight.
+// Finds the texels that contribute to a point, and their weights.
 #pragma once
 
 #include <cmath>
@@ -12,10 +12,10 @@
 
 namespace shlm {
 
-/// What a lookup knows of a texel of the finished map.
+/// What a lookup needs to know of a texel of the finished map.
 struct TexelFace {
     common::Vec3 normal;  ///< unit, out of the face
-    float area;           ///< one unit for all texels of a map; 0: no triangle covers the texel
+    float area;           ///< in one unit for all texels of a map; 0: no triangle covers the texel
 
     [[nodiscard]] bool looks_the_way_of(const common::SurfacePoint& point) const {
         return area > 0 && normal.dot(point.geometric_normal) > common::same_surface_cosine;
@@ -24,11 +24,11 @@ struct TexelFace {
     [[nodiscard]] const TexelFace& unpacked() const { return *this; }
 };
 
-// Each lookup says which texels of the layout the finished map holds, in its own order, and calls
-// `use(index, weight)` for those that answer for a point; `face(index)` is the TexelFace of one of them.
+// Each lookup determines which texels of the layout the finished map holds, in its own order. It calls
+// `use(index, weight)` for those that contribute to a point; `face(index)` is the TexelFace of one of them.
 // Weights need not add up to 1.
 
-/// The texel that the point lies in. Nothing where it has none.
+/// The texel that contains the point; nothing if there is none.
 class OwnTexelLookup {
   public:
     OwnTexelLookup(const PreparedTexels& texels, OwnTexel) : places_(texels.layout) {}
@@ -50,8 +50,9 @@ class OwnTexelLookup {
     TexelPlaces places_;
 };
 
-/// The four texels around the point in its mesh instance's rectangle of the lightmap, by their covered areas,
-/// without those that look another way. Where the lightmap is cut, it does not see across.
+/// The four texels around the point in its mesh instance's rectangle of the lightmap, weighted by their
+/// covered areas too, without those that face another way. It does not interpolate across seams of the
+/// lightmap.
 class BilinearLookup {
   public:
     BilinearLookup(const PreparedTexels& texels, Bilinear) : places_(texels.layout) {}
@@ -89,9 +90,9 @@ class BilinearLookup {
     TexelPlaces places_;
 };
 
-/// The nearest texels in space that look the point's way, by their areas projected onto its surface, as far
-/// as TexelTree::max_radius. If NearestTexels asks for the own surface's, others count only where that has no
-/// texels at all so near.
+/// The nearest texels in space that face as the point does, within TexelTree::max_radius, weighted by their
+/// areas projected onto its surface. If NearestTexels asks for those of the own surface, others contribute
+/// only if it has no texels within that radius.
 class NearestTexelsLookup {
   public:
     NearestTexelsLookup(const PreparedTexels& texels, NearestTexels nearest)
@@ -99,7 +100,7 @@ class NearestTexelsLookup {
           pieces_(nearest.of_own_surface ? texels.pieces : nullptr),
           count_(nearest.count) {}
 
-    /// The covered ones.
+    /// Returns the covered ones.
     [[nodiscard]] static std::vector<std::uint32_t> held_texels(const PreparedTexels& texels);
 
     template <class Face, class Use>
@@ -135,7 +136,7 @@ class NearestTexelsLookup {
 
   private:
     std::shared_ptr<const TexelTree> tree_;
-    std::shared_ptr<const TexelPieces> pieces_;  ///< none where whichever are nearest are asked for
+    std::shared_ptr<const TexelPieces> pieces_;  ///< null if the nearest of all surfaces are used
     std::size_t count_;
 };
 

@@ -1,4 +1,4 @@
-// Sums of hits, one set per texel, in memory that does not grow.
+// Sums of hits, one set per texel, in memory of constant size.
 #pragma once
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
@@ -29,7 +29,7 @@ class Accumulator {
         DepositSorter& sorter = sorters_.local();
         sorter.sort(hits);
         std::bitset<DepositSorter::max_shares> done;
-        // First what is free; what another thread is adding to comes later.
+        // First the shares that are free; those that another thread is adding to come later.
         for (std::size_t share = 0; share < DepositSorter::max_shares; ++share) {
             tbb::spin_mutex::scoped_lock lock;
             if (!lock.try_acquire((*shares_)[share].mutex)) continue;
@@ -55,7 +55,7 @@ class Accumulator {
         return rejected;
     }
 
-    /// Nothing where the surface's irradiance does not come from a division by the cosine: with the flux
+    /// Returns zero if the surface's irradiance does not come from a division by the cosine: with the flux
     /// weight, and where its exact sum is kept.
     [[nodiscard]] ClampedLight clamped() const {
         ClampedLight clamped = earlier_clamped_;
@@ -64,18 +64,19 @@ class Accumulator {
         return clamped;
     }
 
-    /// To take over what another run has stored, and what it has not.
+    /// To take over what another run has stored and what it has rejected.
     [[nodiscard]] TexelSums<Model>& sums() { return sums_; }
     void add_counts(const common::RejectedHits& rejected, const ClampedLight& clamped) {
         earlier_rejected_ += rejected;
         earlier_clamped_ += clamped;
     }
 
-    /// Of the sums. Each thread works in some 100 KiB more, as a batch of hits needs them.
+    /// Returns the memory of the sums. Each thread uses some 100 KiB more, depending on the size of its
+    /// batches.
     [[nodiscard]] std::size_t bytes() const { return sums_.bytes(); }
 
   private:
-    /// A texel's sums are asked for this many deposits before they are added to: about the time of a cache
+    /// A texel's sums are prefetched this many deposits before they are added to: about the time of a cache
     /// miss.
     static constexpr std::size_t prefetch_distance = 16;
 
@@ -87,7 +88,7 @@ class Accumulator {
         const std::span<const Deposit> deposits = sorter.deposits();
         const std::size_t end = sorter.share_begin(share + 1);
         for (std::size_t i = sorter.share_begin(share); i < end; ++i) {
-            // Past the share's end too: the next share most often comes next.
+            // Past the share's end too, as the next share usually comes next.
             if (i + prefetch_distance < deposits.size())
                 sums_.prefetch(deposits[i + prefetch_distance].texel);
             const Deposit& deposit = deposits[i];

@@ -1,4 +1,4 @@
-// What the clamp of the cosine takes away.
+// The light that is lost by clamping the cosine.
 #pragma once
 
 #include <cmath>
@@ -9,13 +9,13 @@
 
 namespace shlm {
 
-/// Of all stored hits, mean of the channels, as integers for the same reason as in TexelSums.
+/// Sums over all stored hits, mean of the channels, as integers for the same reason as in TexelSums.
 struct ClampedLight {
-    std::uint64_t flux = 0;  ///< Quantum::clamped_light_unit
+    std::uint64_t flux = 0;  ///< in units of Quantum::clamped_light_unit
     std::uint64_t discarded =
-        0;  ///< part of it that the surface's irradiance lacks: F (1 - cos theta / clamp)
+        0;  ///< the part of it that is missing in the surface's irradiance: F (1 - cos theta / clamp)
 
-    /// A hit's flux, in that unit, and its cosine of incidence.
+    /// Adds a hit's flux, in that unit, with its cosine of incidence.
     void add(float mean_flux, float incident_cosine) {
         flux += static_cast<std::uint64_t>(std::llrint(mean_flux));
         if (incident_cosine < common::min_incident_cosine)

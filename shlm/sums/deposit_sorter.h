@@ -1,4 +1,4 @@
-// The hits of a batch, each with its texel, dealt out by share of the texels.
+// Finds the texels of a batch's hits, and sorts the hits by share of the texels.
 #pragma once
 
 #include <array>
@@ -12,30 +12,31 @@
 
 namespace shlm {
 
-/// Where a hit goes, beside what its HitBatch says of it.
+/// The texel of a hit, and what its HitBatch does not contain.
 struct Deposit {
     std::uint32_t hit;  ///< index in its batch
     std::uint32_t texel;
     float inverse_cosine;  ///< of incidence on the triangle, clamped by common::min_incident_cosine
 };
 
-/// For one thread: keeps the arrays that it works in, and counts what it leaves out.
+/// Must be used by one thread only: keeps its working arrays, and counts what it leaves out.
 class DepositSorter {
   public:
-    /// Texels are dealt out in this many contiguous shares, at most. One thread at a time adds to a share, so
-    /// sums need no atomics; with many more shares than threads these seldom wait for each other.
+    /// Texels are divided into at most this many contiguous shares. One thread at a time adds to a share, so
+    /// sums need no atomics. With many more shares than threads, threads seldom wait for each other.
     static constexpr std::size_t max_shares = 64;
 
     /// `layout` must outlive the sorter.
     DepositSorter(const TexelLayout& layout, const Quantum& quantum);
 
-    /// Replaces the deposits by those of another batch; hits that have no texel are counted and left out.
+    /// Replaces the deposits by those of another batch. Counts the hits that have no texel, and leaves them
+    /// out.
     void sort(const common::HitBatch& hits);
 
-    /// The batch's deposits, share after share.
+    /// Returns the batch's deposits, share after share.
     [[nodiscard]] std::span<const Deposit> deposits() const { return by_share_; }
 
-    /// Where share `index` begins in `deposits`; it ends where the next one begins.
+    /// Returns where share `index` begins in `deposits`; it ends where the next one begins.
     [[nodiscard]] std::size_t share_begin(std::size_t index) const { return share_begin_[index]; }
 
     [[nodiscard]] const common::RejectedHits& rejected() const { return rejected_; }

@@ -1,4 +1,4 @@
-// The sums of all texels, exact in any order, kept so that adding to one touches few cache lines.
+// The sums of all texels, exact in any order, stored so that adding to one touches few cache lines.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace shlm {
 
-/// What one texel has taken: the model's numbers times texel area, summed over hits.
+/// The sums of one texel: the model's numbers times texel area, summed over hits.
 template <class Model>
 struct TexelSum {
     /// Channel c of number i at [3 i + c]; W times the number of photons emitted.
@@ -19,21 +19,21 @@ struct TexelSum {
     std::uint64_t hits = 0;
 };
 
-/// Sums stay below this, so that what is recent can always be added: 10^11 hits on one texel, each
-/// of all the scene's light, head on.
+/// Sums stay below this, so that recent sums can always be added to them. That is 10^11 hits on one texel,
+/// each with all the scene's light at normal incidence.
 inline constexpr std::int64_t max_texel_quanta = std::int64_t{1} << 62;
 
-/// Throws InputError: no sum is ever silently wrong.
+/// Throws InputError, so that no sum is ever silently wrong.
 [[noreturn]] void throw_texel_is_full(std::size_t texel);
 
-/// Each number of a hit is rounded once to whole quanta and then summed as an integer: the sums are the same
-/// to the bit for any order of hits, any number of threads and any cut of a run into pieces, equal adds never
-/// stall, and the error is that of rounding single hits, half a quantum and a float's last bit.
+/// Each number of a hit is rounded once to whole quanta and then summed as an integer. So the sums are the
+/// same to the bit for any order of hits, any number of threads and any division of a run, and equal
+/// additions never stall. The error is that of rounding single hits: half a quantum and a float's last bit.
 ///
-/// 64-bit sums would span twice the cache lines, and their misses are what an add costs. So hits go into
-/// 32-bit sums, which are drained into 64-bit ones before they can overflow: `fill` bounds what they may
-/// hold. Under uniform light that is once in 100 to 200 hits. A hit too bright for 32 bits goes straight to
-/// the 64-bit sums.
+/// 64-bit sums would span twice the cache lines, and their misses are the cost of an addition. So hits go
+/// into 32-bit sums, which are drained into 64-bit ones before they can overflow; `fill` bounds their
+/// magnitude. Under uniform light this happens once in 100 to 200 hits. A hit too bright for 32 bits goes
+/// straight to the 64-bit sums.
 ///
 /// Chosen by measurement (bench/experiments/micro, sums/...; tests/shlm/texel_sums_test.cpp), order 2, random
 /// texels:
@@ -45,18 +45,18 @@ inline constexpr std::int64_t max_texel_quanta = std::int64_t{1} << 62;
 ///   int64                  256     13    33    72                       5e-8
 ///   int32 into int64       352     11    19    41                       5e-8; exact in any order
 ///
-/// 5e-8 is a product's own, in floats.
+/// 5e-8 is the rounding error of the products, in float.
 template <class Model>
 class TexelSums {
   public:
     TexelSums(std::size_t texels, const Quantum& quantum)
         : quantum_(quantum), quanta_per_flux_(quantum.per_flux()), recent_(texels), drained_(texels) {}
 
-    /// Asks for the texel's cache lines ahead of `add`.
+    /// Prefetches the texel's cache lines for `add`.
     void prefetch(std::size_t texel) const { common::prefetch<common::PrefetchFor::writing>(recent_[texel]); }
 
     /// Adds one hit. `towards_light` is unit, `inverse_cosine` that of incidence, clamped. Throws InputError
-    /// where a sum would leave its range.
+    /// if a sum would leave its range.
     void add(std::size_t texel, const common::Vec3& towards_light, float inverse_cosine,
              const common::Rgb& flux) {
         const auto values = Model::of_hit(towards_light, inverse_cosine);
@@ -84,7 +84,7 @@ class TexelSums {
         return sum;
     }
 
-    /// The sum itself, k as in TexelSum::value.
+    /// Returns the sum itself, in quanta; k as in TexelSum::value.
     [[nodiscard]] std::int64_t quanta(std::size_t texel, std::size_t k) const {
         return drained_[texel].quanta[k] + recent_[texel].quanta[k];
     }
@@ -93,7 +93,7 @@ class TexelSums {
         return drained_[texel].hits + recent_[texel].hits;
     }
 
-    /// Adds to a sum what another run has, in the same quanta. Throws InputError as `add` does.
+    /// Adds the sum of another run, in the same quanta. Throws InputError as `add` does.
     void add_quanta(std::size_t texel, std::size_t k, std::int64_t quanta) {
         std::int64_t& sum = drained_[texel].quanta[k];
         if (__builtin_add_overflow(sum, quanta, &sum) || sum <= -max_texel_quanta || sum >= max_texel_quanta)
@@ -110,11 +110,11 @@ class TexelSums {
     static constexpr std::size_t bytes_per_texel() { return sizeof(RecentSum) + sizeof(DrainedSum); }
 
   private:
-    /// Since the last drain.
+    /// The sums since the last drain.
     struct alignas(64) RecentSum {
         std::array<std::int32_t, 3 * Model::summed> quanta{};
-        std::uint16_t hits = 0;  ///< each fills by 1 at least, so there are never more than max_fill
-        std::uint16_t fill = 0;  ///< no number's magnitude is beyond fill * quanta_per_fill
+        std::uint16_t hits = 0;  ///< each adds at least 1 to `fill`, so there are at most max_fill
+        std::uint16_t fill = 0;  ///< no number's magnitude exceeds fill * quanta_per_fill
     };
 
     struct DrainedSum {
@@ -125,8 +125,8 @@ class TexelSums {
     static constexpr std::uint32_t max_fill = 0xffff;
     static constexpr float quanta_per_fill = 0x1p15f;  // max_fill of them are just below 2^31
 
-    /// What a hit adds to `fill`; more than max_fill for one that 32 bits cannot hold. Model::largest_of_hit
-    /// leaves a hundredth of room for rounding.
+    /// Returns what a hit adds to `fill`; more than max_fill for a hit that 32 bits cannot hold.
+    /// Model::largest_of_hit leaves a hundredth of room for rounding.
     [[nodiscard]] static std::uint32_t fill_of(const common::Rgb& quanta, float largest_of_hit) {
         const float largest =
             std::max({std::abs(quanta.x), std::abs(quanta.y), std::abs(quanta.z)}) * largest_of_hit;

@@ -1,4 +1,4 @@
-// shlmbench diff: how far an image is from a reference.
+// shlmbench diff: compares an image with a reference.
 #include <fmt/format.h>
 
 #include <array>
@@ -34,7 +34,7 @@ struct DiffOptions {
 
 struct Measured {
     common::DifferenceFigures figures;
-    common::Exposures exposures;  ///< that FLIP looked at: those for the compared pixels
+    common::Exposures exposures;  ///< the exposures that FLIP used: those for the compared pixels
     std::vector<float> flip_map;  ///< every pixel
     double flip = 0;              ///< mean over the compared pixels
 };
@@ -56,8 +56,8 @@ std::vector<T> selected(const std::vector<T>& values, const std::vector<std::siz
     return chosen;
 }
 
-/// The image where it is compared; the reference elsewhere, so that FLIP, which looks around every pixel,
-/// sees no difference there.
+/// Returns the image where it is compared, and the reference elsewhere. FLIP filters around every pixel and
+/// thus sees no difference there.
 std::vector<common::Rgb> image_in_reference(const common::ComparableImages& both) {
     std::vector<common::Rgb> pixels = both.reference;
     for (const std::size_t place : both.compared) pixels[place] = both.image[place];
@@ -97,7 +97,7 @@ Json facts(const DiffOptions& options, const common::ComparableImages& both, con
             {"pixels_compared", compared},
             {"pixels_left_out", pixels - compared},
             {"coverage_differs", both.coverage_differs ? Json(*both.coverage_differs) : Json(nullptr)},
-            {"non_finite", 0},  // else there would be no figures
+            {"non_finite", 0},  // other images are refused
             {"epsilon", figures.epsilon},
             {"mean_image", figures.mean_image},
             {"mean_reference", figures.mean_reference},
@@ -117,7 +117,7 @@ Json facts(const DiffOptions& options, const common::ComparableImages& both, con
              {{"start", exposures.start}, {"stop", exposures.stop}, {"count", exposures.count}}}};
 }
 
-/// For people: six digits, and no braces.
+/// Formats for people: six digits, and no braces.
 std::string text_of(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
@@ -138,7 +138,7 @@ void print(const Json& facts, bool json) {
         if (!value.is_null()) common::print_result(fmt::format("{:<22} {}\n", key, text_of(value)));
 }
 
-/// What makes a reference no measure is said with its file's name.
+/// Adds the reference's file name to the error if it cannot be compared with.
 Measured measure(const DiffOptions& options, const common::ComparableImages& both) {
     try {
         return measure_images(both);
@@ -147,7 +147,7 @@ Measured measure(const DiffOptions& options, const common::ComparableImages& bot
     }
 }
 
-/// A reference that lacks light is no measure for an image that may have it.
+/// Refuses a reference that lacks some light that the image may have.
 void require_the_same_light(const DiffOptions& options) {
     using common::reference::paths_not_found;
     const std::string lost = paths_not_found(common::read_notes(options.reference));
@@ -165,7 +165,7 @@ void run(const DiffOptions& options) {
         common::write_flip_map(options.flip_map, both.width, both.height, measured.flip_map);
     print(facts(options, both, measured), options.json);
     const double relmse = measured.figures.relmse;
-    if (options.most_relmse && !(relmse <= *options.most_relmse))  // so put, no number passes that is none
+    if (options.most_relmse && !(relmse <= *options.most_relmse))  // this form also refuses NaN
         throw BoundExceeded(
             fmt::format("{}: relMSE {:g} is more than {:g}", options.image, relmse, *options.most_relmse));
 }

@@ -1,4 +1,4 @@
-// shlmbench info: what is in a scene and what the methods can do with it.
+// shlmbench info: describes a scene and what the methods can do with it.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -42,7 +42,7 @@ Json lightmap_facts(PreparedScene& prepared) {
             {"usable", sets[0] + sets[1] > 0}};
 }
 
-/// Nothing where no surface can have any.
+/// Returns the facts about texels; empty where no surface can have any.
 Json texel_facts(PreparedScene& prepared) {
     const shlm::TexelPlacement placement = prepared.settings().texels.placement;
     std::size_t by_uv = 0, by_face = 0;
@@ -67,7 +67,7 @@ Json texel_facts(PreparedScene& prepared) {
             {"mean_width", covered == 0 ? 0.0 : std::sqrt(area / static_cast<double>(covered))}};
 }
 
-/// Nothing for a scene without light, which is no trouble here.
+/// Returns the problems of the lights; empty for a scene without light, which is acceptable here.
 std::vector<std::string> trouble_with_light(const common::RayScene& rays) {
     try {
         return light_trouble(common::PhotonSource(rays));

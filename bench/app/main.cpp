@@ -1,4 +1,4 @@
-// shlmbench: photon maps against spherical harmonic light maps.
+// shlmbench: compares photon maps with spherical harmonic light maps.
 #include <new>
 #include <string>
 
@@ -19,7 +19,7 @@ void complain(const std::string& text) {
     common::say("shlmbench: " + text);
 }
 
-/// As run_command(), with an exit code for whatever may be thrown.
+/// Runs run_command(), and returns an exit code for whatever may be thrown.
 int run_guarded(int argc, char** argv) {
     try {
         return bench::run_command(argc, argv, complain);

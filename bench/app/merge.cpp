@@ -1,4 +1,4 @@
-// shlmbench merge: light maps of adjoining photons into one.
+// shlmbench merge: merges light maps of consecutive photons into one.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,8 @@ struct MergeOptions {
     std::string out;
 };
 
-/// By their photons. Throws InputError where they are not pieces of one run that leave nothing out.
+/// Opens the pieces, ordered by their photons. Throws InputError if they are not pieces of one run without
+/// gaps.
 std::vector<shlm::MapFileReader> open_pieces(const std::vector<std::string>& files) {
     if (files.size() < 2) throw common::InputError("there are at least two files to merge");
     std::vector<shlm::MapFileReader> pieces;
@@ -55,7 +56,7 @@ std::vector<shlm::MapFileReader> open_pieces(const std::vector<std::string>& fil
     return sorted;
 }
 
-/// Throws InputError where a file is there that has anything else than photons of `run`.
+/// Throws InputError if the file exists and contains anything but photons of `run`.
 void require_nothing_is_lost(const fs::path& out, const shlm::MapRun& run) {
     if (!fs::exists(out)) return;
     const shlm::MapRun there = shlm::MapFileReader(out).run();
@@ -65,7 +66,7 @@ void require_nothing_is_lost(const fs::path& out, const shlm::MapRun& run) {
             "--out: {} is there already, with photons that the files to merge do not have", out.string()));
 }
 
-/// Adds up what `read(piece, planes)` gets of every piece.
+/// Adds up what `read(piece, planes)` reads of every piece.
 template <class Read>
 void add_up(std::vector<shlm::MapFileReader>& pieces, std::span<std::int64_t> sums,
             std::span<std::int64_t> addend, Read read) {

@@ -1,4 +1,4 @@
-// Which methods there are, and what their names mean.
+// Lists the methods and explains their names.
 #include <fmt/format.h>
 
 #include "bench/contenders/family.h"
@@ -23,7 +23,7 @@ Json as_json(const Contender& contender) {
     return row;
 }
 
-/// Those named, or one of each kind there is.
+/// Returns those named, or one of each kind.
 std::vector<Contender> contenders_of(const std::vector<std::string>& names) {
     if (!names.empty()) return parse_contenders("methods", names);
     std::vector<Contender> all;

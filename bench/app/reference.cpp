@@ -1,4 +1,4 @@
-// shlmbench reference: what the methods estimate, by path tracing, with its error.
+// shlmbench reference: path traces what the methods estimate, with its error.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,14 +32,14 @@ struct ReferenceOptions {
     int width = 128, height = 72;
 };
 
-/// Throws InputError where there is nothing to be seen.
+/// Throws InputError where the camera sees nothing.
 void require_something_to_measure(const LoadedScene& loaded, const ReferenceRun& run) {
     if (std::none_of(run.pixels.begin(), run.pixels.end(), [](const auto& pixel) { return pixel.present; }))
         throw InputError(loaded.scene.source +
                          ": the camera sees no diffuse surface; give another with --camera");
 }
 
-/// Of the file that is to be written, where there is one.
+/// Returns the sums of the output file, if it exists.
 std::optional<reference::ReferenceSums> earlier_sums(const ReferenceRun& run) {
     try {
         return reference::sums_to_go_on_from(run.out, run.identity);

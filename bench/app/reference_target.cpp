@@ -22,7 +22,7 @@ bool ReferenceTarget::reached(std::uint64_t passes_done, double error) const {
 
 std::uint64_t ReferenceTarget::expected_passes(std::uint64_t passes_done, double error) const {
     if (passes > 0) return passes;
-    // The error falls with the square root of the passes.
+    // The error falls with the square root of the number of passes.
     const double shortfall = std::min(error / relative_error, 1e4);
     const double wanted = std::max(1.0, shortfall * shortfall) *
                           static_cast<double>(std::max(passes_done, passes_between_looks));

@@ -1,4 +1,4 @@
-// shlmbench render: one method's picture of a scene.
+// shlmbench render: renders a scene with one method.
 
 #include <fmt/format.h>
 
@@ -35,7 +35,7 @@ struct RenderOptions {
     int width = 640, height = 360;
 };
 
-/// A request, checked.
+/// The checked options.
 struct RenderPlan {
     const RenderOptions& options;
     Contender method;
@@ -59,14 +59,14 @@ common::TraceTarget target_of(const RenderOptions& options) {
     return {.photons = parse_count("--photons", options.photons)};
 }
 
-/// Memory that is free for the method beside the image.
+/// Returns the memory that is left for the method beside the image.
 std::size_t max_map_bytes(const RenderOptions& options) {
     constexpr std::size_t pixel_bytes = sizeof(common::VisibleSurface) + 16 * sizeof(float);
     const std::size_t free = default_max_bytes();
     return free - std::min(free, pixel_bytes * options.width * options.height);
 }
 
-/// Hits of the whole run, as far as one can tell: what --photons gives is known only when some are traced.
+/// Returns the estimated hits of the whole run: with --photons they are known only after some are traced.
 std::uint64_t expected_hits(const common::TraceReport& so_far, const common::TraceTarget& target) {
     if (target.hits > 0) return target.hits;
     return static_cast<std::uint64_t>(static_cast<double>(so_far.hits) * static_cast<double>(target.photons) /
@@ -99,7 +99,7 @@ Rendering trace_and_gather(const RenderPlan& plan, const LoadedScene& loaded,
     return {render_map(*map.answers, pixels, options.width, options.height), trace, rejected};
 }
 
-/// From the sums that trace has written.
+/// Renders from the sums that trace has written.
 Rendering gather_from_file(const RenderPlan& plan, const LoadedScene& loaded,
                            const common::PhotonSource& source, PreparedScene& prepared) {
     const RenderOptions& options = plan.options;
@@ -116,8 +116,8 @@ Rendering gather_from_file(const RenderPlan& plan, const LoadedScene& loaded,
     return {render_map(*map.answers, pixels, options.width, options.height), trace, sums->facts().rejected};
 }
 
-/// Of a picture whose surfaces are mostly without any light the reader is told: it may be that no hits fall
-/// on what it shows, as on a terrace in a wide plain.
+/// Warns the reader if most visible surfaces have no light at all. Perhaps no hits fall on what the picture
+/// shows, as on a terrace in a wide plain.
 void warn_about_unlit_picture(const LoadedScene& loaded, const common::Image& image) {
     std::size_t surfaces = 0, unlit = 0;
     for (std::size_t p = 0; p < image.pixel_count(); ++p) {
@@ -154,13 +154,14 @@ void run(const RenderOptions& options) {
         const LoadedScene loaded(options.file, options.scene);
         const common::PhotonSource source(loaded.rays);
         PreparedScene prepared(loaded, plan.settings);
-        (void)plan.method->prepare(prepared);  // what cannot be done is said before what is doubtful
+        (void)plan.method->prepare(prepared);  // errors are reported before warnings
         const auto print_warnings = [&] {
             print_scene_warnings(loaded);
             print_light_warnings(loaded, source);
             if (plan.method.light_map()) print_lightmap_warnings(loaded, prepared);
         };
-        // A file of sums may not fit; what is traced takes long.
+        // A file of sums may not fit this scene, so its warnings come last; tracing takes long, so they come
+        // first.
         const bool from_file = !options.map.empty();
         if (!from_file) print_warnings();
         const Rendering made = from_file ? gather_from_file(plan, loaded, source, prepared)

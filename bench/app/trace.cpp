@@ -1,4 +1,4 @@
-// shlmbench trace: a light map filled for as long as one likes, kept in a file.
+// shlmbench trace: fills a light map for as long as one likes, and keeps it in a file.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -39,13 +39,13 @@ struct TraceOptions {
     bool json = false;
 };
 
-/// A request, checked.
+/// The checked options.
 struct TracePlan {
     const TraceOptions& options;
     Contender method;
     ContenderSettings settings;
     common::TraceTarget target;
-    fs::path checkpoint;  ///< to write; empty: none
+    fs::path checkpoint;  ///< file to write; empty: none
     double seconds_between_checkpoints;
 };
 
@@ -60,7 +60,7 @@ common::TraceTarget target_of(const TraceOptions& options) {
     return target;
 }
 
-/// The file itself where the path leads to it by links: what is written takes its place, not a link's.
+/// Resolves symbolic links, so that writing replaces the file itself and not a link.
 fs::path followed(const fs::path& file) {
     std::error_code not_there;
     return fs::is_symlink(file, not_there) ? fs::canonical(file, not_there) : file;
@@ -81,14 +81,14 @@ TracePlan make_plan(const TraceOptions& options) {
     return plan;
 }
 
-/// Keeps the checkpoint to this run; null where there is none. Throws InputError where another run has it, or
-/// an earlier one has left it and nothing is to go on from there.
+/// Locks the checkpoint for this run; returns null if there is none. Throws InputError if another run holds
+/// it, or if it is left over from an earlier run and this run does not continue it.
 std::unique_ptr<const common::OutputLock> claim_checkpoint(const TracePlan& plan) {
     if (plan.checkpoint.empty()) return nullptr;
     const std::string option = plan.options.checkpoint.empty() ? "--resume" : "--checkpoint";
     shlm::check_map_output(option, plan.checkpoint);
     auto lock = std::make_unique<const common::OutputLock>(option, plan.checkpoint);
-    // Asked when no other run can make it any more.
+    // Checked under the lock, when no other run can create it any more.
     if (!plan.options.checkpoint.empty() && plan.options.checkpoint != plan.options.resume &&
         fs::exists(plan.checkpoint))
         throw common::InputError(fmt::format("--checkpoint: {} is there already; --resume goes on from it",
@@ -96,10 +96,10 @@ std::unique_ptr<const common::OutputLock> claim_checkpoint(const TracePlan& plan
     return lock;
 }
 
-/// The sums on their way to their end, with what is needed to write them.
+/// The sums that are being filled, with what is needed to write them.
 class MapTrace {
   public:
-    /// Takes over what the file to resume has.
+    /// Takes over the sums of the file to resume.
     MapTrace(const TracePlan& plan, const shlm::MapIdentity& identity, PreparedScene& scene,
              const common::PhotonSource& source)
         : plan_(plan),
@@ -164,14 +164,14 @@ class MapTrace {
     }
 
     const TracePlan& plan_;
-    shlm::MapRun run_;  ///< as it was when this command took over
+    shlm::MapRun run_;  ///< as it was when this command started
     std::unique_ptr<LightMapStore> sums_;
     shlm::TexelAtlas atlas_;
     double checkpoint_seconds_ = 0;
     int checkpoints_ = 0;
 };
 
-/// What the command says at its end.
+/// Returns what the command reports at its end.
 Json summary(const TracePlan& plan, const LoadedScene& loaded, const MapTrace& traced,
              const StoreFacts& facts, const common::TraceReport& report, double seconds) {
     const std::uint64_t hits = report.hits - traced.run().hits;

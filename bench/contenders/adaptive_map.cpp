@@ -15,11 +15,12 @@ namespace {
 constexpr const char* summed_basis = "L2";  // shlm::AdaptiveModel
 using Sums = SumsStore<shlm::AdaptiveModel>;
 
-/// While the map is made: a pyramid of blocks, and for each what it costs and what becomes of it.
+/// Peak bytes per texel while the map is made: a pyramid of blocks, each with its costs and the decision on
+/// it.
 constexpr double pyramid_bytes =
     4.0 / 3 * (sizeof(shlm::LightBlock) + sizeof(shlm::BlockCosts) + 3 * sizeof(double));
 
-/// What adaptive maps of all errors are made from.
+/// The search from which adaptive maps of any error are made.
 struct Search {
     shlm::BlockSearch blocks;
     double seconds;

@@ -1,4 +1,4 @@
-// Light maps whose blocks are as large as the light lets them be.
+// Light maps whose block sizes adapt to the light.
 #pragma once
 
 #include "bench/contenders/light_map.h"
@@ -6,13 +6,13 @@
 
 namespace bench {
 
-/// shlm / aPERCENT / normalised / own bilinear [/ uv face] [/ tTEXELS]
+/// Named shlm / aPERCENT / normalised / own bilinear [/ uv face] [/ tTEXELS].
 class AdaptiveLightMap final : public LightMapTechnique {
   public:
     AdaptiveLightMap(const TexelSetting& setting, double wanted_error_percent)
         : LightMapTechnique(setting), wanted_error_percent_(wanted_error_percent) {}
 
-    /// Its map by its own type: for what asks it for more than irradiance.
+    /// Returns the map as its own type, for callers that need more than irradiance.
     [[nodiscard]] shlm::AdaptiveMap map_of(Store& store, const common::TraceReport& trace) const;
 
     std::string name() const override;

@@ -1,4 +1,4 @@
-// A finished map, whatever it is.
+// The interface of a finished map of any kind.
 #pragma once
 
 #include <memory>
@@ -8,20 +8,20 @@
 
 namespace bench {
 
-/// Immutable. May be asked by any number of threads.
+/// Immutable. Any number of threads may ask it at once.
 class Answers {
   public:
     virtual ~Answers() = default;
 
-    /// Irradiance for the points' shading normals, W/m^2; `answers` has a place for each point.
+    /// Estimates the irradiance for the points' shading normals, W/m^2; `answers` has one element per point.
     virtual void irradiance(std::span<const common::SurfacePoint> points,
                             std::span<common::Rgb> answers) const = 0;
 
-    /// Of the map with its index.
+    /// Returns the bytes of the map and its index.
     [[nodiscard]] virtual std::size_t bytes() const = 0;
 };
 
-/// One call for many points costs nothing that can be measured beside asking the map itself.
+/// Adapts a map. One virtual call for many points has no measurable cost beside the gathers.
 template <common::IrradianceEstimator Map>
 class MapAnswers final : public Answers {
   public:
@@ -42,7 +42,7 @@ template <common::IrradianceEstimator Map>
     return std::make_unique<const MapAnswers<Map>>(std::move(map));
 }
 
-/// All points, on the threads of the calling arena.
+/// Evaluates all points, on the threads of the calling arena.
 [[nodiscard]] std::vector<common::Rgb> ask(const Answers& map, std::span<const common::SurfacePoint> points);
 
 }  // namespace bench

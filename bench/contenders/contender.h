@@ -1,4 +1,4 @@
-// A contender: a way to store photons and to answer with irradiance, by its name.
+// A contender: a named way to store photons and to estimate irradiance from them.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace bench {
 
-/// Its colour and marker. Charts of many variants of one kind shade them.
+/// Colour and marker in charts. Charts with many variants of one kind vary the shade.
 struct ChartStyle {
     std::string colour;  ///< "#rrggbb"
     std::string marker;  ///< as matplotlib names it
@@ -22,44 +22,45 @@ struct ChartStyle {
 
 struct FinishedMap {
     std::unique_ptr<const Answers> answers;
-    double build_seconds;  ///< wall time; what maps of one store share is charged to each
+    double build_seconds;  ///< wall time; work that several maps share is charged to each
 };
 
-/// What stands behind a name: immutable.
+/// The method that a name stands for: immutable.
 class Technique {
   public:
     virtual ~Technique() = default;
 
-    /// In full: it stays the same in every table.
+    /// Returns the full name, which is the same in every table.
     [[nodiscard]] virtual std::string name() const = 0;
 
-    /// The name's parts by what they say, family first: {"family": "photonmap", "engine": "flann", ...}.
+    /// Returns the parts of the name with their meaning, family first: {"family": "photonmap", "engine":
+    /// "flann", ...}.
     [[nodiscard]] virtual nlohmann::ordered_json fields() const = 0;
     [[nodiscard]] virtual ChartStyle style() const = 0;
 
-    /// One store can serve all that have the same.
+    /// Returns the key of its store: techniques with the same key can share one store.
     [[nodiscard]] virtual std::string store_key() const = 0;
 
-    /// An upper bound for the bytes held at its peak, map and index together; the scene is not in it.
+    /// Returns an upper bound for the bytes held at the peak, map and index together, without the scene.
     [[nodiscard]] virtual double needed_bytes(const ContenderSettings& settings,
                                               std::uint64_t hits) const = 0;
 
-    /// Photons that it can count.
+    /// Returns the most photons that it can count.
     [[nodiscard]] virtual std::size_t most_photons() const;
 
-    /// Makes what it needs of the scene, unless it is there: no part of a run. Says what that took when it
-    /// was made. Throws InputError where the scene has not got it.
+    /// Prepares what it needs of the scene, unless that exists already; this is no part of a run. Returns the
+    /// cost from when it was made. Throws InputError where the scene does not provide it.
     virtual Preparation prepare(PreparedScene& scene) const = 0;
 
-    /// Of the light map; 0 where there is none.
+    /// Returns the texels of the light map, or 0 for other techniques.
     [[nodiscard]] virtual std::size_t texel_count(PreparedScene& scene) const;
 
-    /// Empty, for photons of `source`. `scene` must outlive it.
+    /// Makes an empty store for photons of `source`. `scene` must outlive it.
     [[nodiscard]] virtual std::unique_ptr<Store> make_store(PreparedScene& scene,
                                                             const common::PhotonSource& source) const = 0;
 
-    /// The map of a whole run. `store` is of this technique or of one with the same key, and takes no more
-    /// hits.
+    /// Makes the map of a whole run. `store` belongs to this technique or one with the same key, and takes no
+    /// hits afterwards.
     [[nodiscard]] virtual FinishedMap finish(Store& store, const common::TraceReport& trace) const = 0;
 };
 
@@ -72,26 +73,26 @@ struct Contender {
 
     [[nodiscard]] const Technique* operator->() const { return technique.get(); }
 
-    /// Null where it is none.
+    /// Return null where the technique is of another kind.
     [[nodiscard]] const LightMapTechnique* light_map() const;
     [[nodiscard]] const PhotonMapTechnique* photon_map() const;
 };
 
-/// Whether one store can serve both.
+/// Returns whether one store can serve both.
 [[nodiscard]] bool share_store(const Contender& a, const Contender& b);
 
-/// Reads a name; what is left out at its end takes the default: "shlm" is shlm/L2/radiance/surface4. Throws
-/// InputError, naming the option and what may stand in the place that is wrong.
+/// Parses a name. Parts left out at its end take their defaults: "shlm" is shlm/L2/radiance/surface4. Throws
+/// InputError, which names the option and what is allowed in place of the wrong part.
 [[nodiscard]] Contender parse_contender(const std::string& option, const std::string& name);
 
-/// All of them, each once, in the order given.
+/// Parses all names. Returns each contender once, in the order given.
 [[nodiscard]] std::vector<Contender> parse_contenders(const std::string& option,
                                                       const std::vector<std::string>& names);
 
-/// Contenders that one store serves.
+/// Contenders that share one store.
 using ContenderGroup = std::vector<Contender>;
 
-/// Neighbours that share a store.
+/// Groups neighbours that share a store.
 [[nodiscard]] std::vector<ContenderGroup> groups_of(const std::vector<Contender>& contenders);
 
 }  // namespace bench

@@ -13,7 +13,7 @@ void MethodOptions::add_to(Command& command) {
 }
 
 ContenderSettings MethodOptions::settings() const {
-    // The square of a smaller one is nothing in float.
+    // The square of a smaller radius underflows in float.
     if (max_radius != 0 && !(max_radius >= 1e-15 && max_radius <= 1e9))
         throw common::InputError("--max-radius: 0, or from 1e-15 to 1e9");
     return {texels.choice(), static_cast<float>(max_radius)};

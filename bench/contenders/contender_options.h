@@ -1,4 +1,4 @@
-// The options that set what a method's name leaves open.
+// The options for settings that a method's name does not determine.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct MethodOptions {
 
     void add_to(Command& command);
 
-    /// Throws InputError for values that mean nothing.
+    /// Throws InputError for values without a meaning.
     [[nodiscard]] ContenderSettings settings() const;
 };
 

@@ -1,4 +1,4 @@
-// Families of contenders, which the first part of a name says.
+// Families of contenders, named by the first part of a contender's name.
 #pragma once
 
 #include <functional>
@@ -13,25 +13,25 @@ namespace bench {
 
 class Technique;
 
-/// A part of a family's names, as people are told of it.
+/// Describes a part of a family's names to users.
 struct NameField {
-    std::string key;   ///< as people are told
-    std::string form;  ///< what may stand there: "disc, cone or epanechnikov"
+    std::string key;   ///< name of the part
+    std::string form;  ///< the allowed values: "disc, cone or epanechnikov"
     std::string meaning;
 };
 
 struct Family {
     std::string purpose;
-    /// Reads what follows the family's name. Throws InputError as NameParts complains.
+    /// Parses what follows the family's name. Throws InputError by NameParts::complain.
     std::function<std::shared_ptr<const Technique>(NameParts&)> parse;
     std::function<std::vector<NameField>()> fields;
-    /// A name for each engine, basis or kind that the family has: those that `shlmbench methods` lists.
+    /// Returns a name for each engine, basis or kind of the family, as `shlmbench methods` lists them.
     std::function<std::vector<std::string>()> names;
 };
 
 [[nodiscard]] const std::map<std::string, Family>& all_families();
 
-/// Adds a family for as long as the program runs.
+/// Registers a family until the program ends.
 class RegisteredFamily {
   public:
     RegisteredFamily(const std::string& name, Family family);

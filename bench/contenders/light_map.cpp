@@ -178,7 +178,7 @@ nlohmann::ordered_json UniformLightMap::fields() const {
     return fields;
 }
 
-/// While it is filled, and a finished map beside it with its index; halves are made from floats.
+/// Counts the sums, a finished map and its index, which exist together. Half floats are made from floats.
 double UniformLightMap::needed_bytes(const ContenderSettings& settings, std::uint64_t) const {
     const LightBasis& basis = *setting().basis;
     const double finished = (in_halves_ ? 2.0 : 1.0) * static_cast<double>(basis.texel_bytes);

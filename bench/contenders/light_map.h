@@ -1,4 +1,4 @@
-// Light maps: what texels sum, what a finished texel keeps of it, and how texels are gathered.
+// Light maps: the sums per texel, what a finished texel keeps of them, and how texels are gathered.
 #pragma once
 
 #include <any>
@@ -13,25 +13,25 @@
 
 namespace bench {
 
-/// The sums of all texels, of any model.
+/// The sums of all texels, for any model.
 class LightMapStore : public Store {
   public:
     bool takes_any_order() const override { return true; }
 
-    /// Takes what a file has. Throws InputError as shlm::read_checkpoint.
+    /// Reads the sums of a file. Throws InputError like shlm::read_checkpoint.
     virtual shlm::MapRun read(const std::filesystem::path& file, const shlm::MapIdentity& expected,
                               const shlm::TexelAtlas& atlas) = 0;
     virtual void write(const std::filesystem::path& file, const shlm::MapRun& run,
                        const shlm::TexelAtlas& atlas) const = 0;
 
-    /// What maps of one store share, for the technique that knows it.
+    /// Data that several maps of one store share; the technique knows its type.
     [[nodiscard]] std::any& shared() { return shared_; }
 
   private:
     std::any shared_;
 };
 
-/// How the finished map of a store is to be.
+/// The form of a finished map.
 struct MapForm {
     shlm::Gather gather;
     std::uint64_t least_hits;
@@ -52,8 +52,8 @@ struct StoredTexels {
 struct LightBasis {
     std::string name, purpose;
     ChartStyle style;
-    int order;                            ///< of the harmonics that hits are summed in for it
-    std::vector<shlm::ShWeight> weights;  ///< that it can be made of; the first is the default
+    int order;                            ///< order of the harmonics in which its hits are summed
+    std::vector<shlm::ShWeight> weights;  ///< the weights it allows; the first is the default
     std::unique_ptr<LightMapStore> (*make_store)(shlm::ShWeight weight, const shlm::PreparedTexels& texels,
                                                  const shlm::Quantum& quantum);
     std::unique_ptr<const Answers> (*finish)(const LightMapStore& store, shlm::ShWeight weight,
@@ -62,27 +62,27 @@ struct LightBasis {
                            std::uint64_t least_hits);
     std::string (*number_name)(std::size_t number);   ///< shlm::Basis::number_name
     std::string formula;                              ///< shlm::Basis::formula
-    std::size_t (*numbers)(shlm::ShWeight weight);    ///< summed per texel and channel
+    std::size_t (*numbers)(shlm::ShWeight weight);    ///< that are summed per texel and channel
     std::size_t (*sum_bytes)(shlm::ShWeight weight);  ///< per texel, while it is filled
-    std::size_t texel_bytes;                          ///< of the finished map, in floats, at most
+    std::size_t texel_bytes;                          ///< upper bound for the finished map, with floats
 };
 
-/// By the order in which they are told of; the first is the default.
+/// Returns all bases by their place in lists; the first is the default.
 [[nodiscard]] const std::map<int, LightBasis>& light_bases();
 
-/// Adds a basis for as long as the program runs: each has one of these in its file (bases/).
+/// Registers a basis until the program ends. The file of each basis (bases/) has one of these.
 class RegisteredBasis {
   public:
     RegisteredBasis(int place, const LightBasis& basis);
 };
 
-/// Where the texels lie, and what they sum: all kinds of light maps have this.
+/// The texels' positions and sums, which all kinds of light maps have.
 struct TexelSetting {
-    const LightBasis* basis;  ///< whose sums are taken
+    const LightBasis* basis;  ///< whose sums are kept
     shlm::ShWeight weight;
     shlm::Gather gather;
-    std::optional<shlm::TexelPlacement> placement;  ///< none: as --texels says
-    std::size_t texels = 0;                         ///< 0: as many as --texels says
+    std::optional<shlm::TexelPlacement> placement;  ///< none: as given by --texels
+    std::size_t texels = 0;                         ///< 0: as given by --texels
 };
 
 class LightMapTechnique : public Technique {
@@ -95,7 +95,7 @@ class LightMapTechnique : public Technique {
         return scene.texels(texel_choice(scene.settings()));
     }
 
-    /// Which files of sums are of the same run.
+    /// Returns the identity by which files of sums of the same run are recognised.
     [[nodiscard]] shlm::MapIdentity identity(PreparedScene& scene, const common::PhotonSource& source,
                                              std::uint64_t seed) const;
     [[nodiscard]] std::unique_ptr<LightMapStore> make_sums(PreparedScene& scene,
@@ -117,7 +117,7 @@ class LightMapTechnique : public Technique {
     }
 
   protected:
-    /// What the name says of the texels: gather and on.
+    /// Returns the part of the name that describes the texels: the gather and what follows.
     [[nodiscard]] std::string texel_name() const;
     [[nodiscard]] nlohmann::ordered_json texel_fields() const;
 
@@ -125,14 +125,14 @@ class LightMapTechnique : public Technique {
     TexelSetting setting_;
 };
 
-/// shlm / BASIS / radiance flux normalised / own bilinear surfaceK knnK [/ uv face] [/ tTEXELS] [/ hHITS] [/
-/// half]
+/// Named shlm / BASIS / radiance flux normalised / own bilinear surfaceK knnK [/ uv face] [/ tTEXELS] [/
+/// hHITS] [/ half].
 class UniformLightMap final : public LightMapTechnique {
   public:
     UniformLightMap(const TexelSetting& setting, std::uint64_t least_hits, bool in_halves)
         : LightMapTechnique(setting), least_hits_(least_hits), in_halves_(in_halves) {}
 
-    /// Texels in blocks of fewer show one light (shlm::TexelBlocks).
+    /// The texels of a block with fewer hits than this all show the same light (shlm::TexelBlocks).
     [[nodiscard]] std::uint64_t least_hits() const { return least_hits_; }
 
     std::string name() const override;

@@ -1,4 +1,4 @@
-// The parts of light maps' names that all kinds have.
+// The parts of light maps' names that all kinds share.
 #pragma once
 
 #include "bench/contenders/light_map.h"
@@ -10,22 +10,22 @@ namespace bench {
 
 [[nodiscard]] std::string name_of(const shlm::Gather& gather);
 
-/// What may follow a gather: uv or face, then tTEXELS.
+/// Parses what may follow a gather: uv or face, then tTEXELS.
 void take_texels(NameParts& parts, TexelSetting& setting);
 
-/// Reads a kind of light map from its first part on, or gives null where the part is not its.
+/// Parses a kind of light map from its first part on, or returns null where the part is not of this kind.
 using ParseLightMap = std::shared_ptr<const Technique> (*)(NameParts&);
 
-/// A kind of light map beside the uniform ones, whose first part is not a basis.
+/// A kind of light map other than the uniform ones: the first part of its name is not a basis.
 struct LightMapKind {
-    std::string form;     ///< of that part: "aPERCENT"
-    std::string example;  ///< a name
+    std::string form;     ///< of the first part: "aPERCENT"
+    std::string example;  ///< an example of a name
     ParseLightMap parse;
 };
 
 [[nodiscard]] const std::vector<LightMapKind>& light_map_kinds();
 
-/// Adds a kind for as long as the program runs.
+/// Registers a kind until the program ends.
 class RegisteredLightMapKind {
   public:
     explicit RegisteredLightMapKind(const LightMapKind& kind);

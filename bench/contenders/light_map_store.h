@@ -1,4 +1,4 @@
-// The sums of one model as a store, and what bases make of them: for the bases' files.
+// Stores the sums of one model, and makes the entries of bases: for the bases' files.
 #pragma once
 
 #include <tuple>
@@ -38,7 +38,7 @@ class SumsStore final : public LightMapStore {
     shlm::Sink<Model> sink_;
 };
 
-/// Calls `work` with an object of the model, one of those with these weights.
+/// Calls `work` with an object of the model that has this weight, which must be one of `Weights`.
 template <int Order, shlm::ShWeight... Weights, class Work>
 auto with_model(shlm::ShWeight weight, const Work& work) {
     using First = shlm::TexelModel<Order, std::get<0>(std::tuple{Weights...})>;
@@ -63,7 +63,7 @@ template <shlm::Basis Kept, class Model>
     return stored;
 }
 
-/// What is made from sums of one of these weights; the first is the default.
+/// Makes the entry of a basis with these weights; the first is the default.
 template <shlm::Basis Kept, shlm::ShWeight... Weights>
 [[nodiscard]] LightBasis light_basis(const std::string& name, const std::string& purpose,
                                      const ChartStyle& style) {

@@ -1,4 +1,4 @@
-// What a run will need, before it is started.
+// Predicts the memory that a run will need.
 #pragma once
 
 #include <cstddef>
@@ -8,21 +8,22 @@
 
 namespace bench {
 
-/// An upper bound for the bytes that a contender holds at its peak, hits on their way to it included; the
-/// scene is not in it.
+/// Returns an upper bound for the bytes that a contender holds at its peak, with the hits on their way to it
+/// but without the scene.
 [[nodiscard]] std::size_t needed_bytes(const Contender& contender, const ContenderSettings& settings,
                                        std::uint64_t hits);
 
-/// Why a run of this size cannot be had within `max_bytes`: "needs 67.1 GiB"; empty where it can.
+/// Returns why a run of this size is impossible within `max_bytes`, as in "needs 67.1 GiB"; empty where it is
+/// possible.
 [[nodiscard]] std::string reason_to_skip(const Contender& contender, const ContenderSettings& settings,
                                          std::uint64_t hits, std::size_t max_bytes);
 
-/// Throws InputError where a run of this size cannot be had: "NAME: needs 67.1 GiB, 19.8 GiB are free for
+/// Throws InputError where a run of this size is impossible: "NAME: needs 67.1 GiB, 19.8 GiB are free for
 /// it".
 void require_memory(const Contender& contender, const ContenderSettings& settings, std::uint64_t hits,
                     std::size_t max_bytes);
 
-/// Nine tenths of what the machine has free.
+/// Returns nine tenths of the free memory of the machine.
 [[nodiscard]] std::size_t default_max_bytes();
 
 }  // namespace bench

@@ -1,4 +1,4 @@
-// The parts of a contender's name, between slashes.
+// The parts of a contender's name, separated by slashes.
 #pragma once
 
 #include <optional>
@@ -8,20 +8,20 @@
 
 namespace bench {
 
-/// Taken one by one; each complaint says what was expected in its place.
+/// Hands out the parts one by one. Each complaint says what was expected in place of a part.
 class NameParts {
   public:
     NameParts(std::string option, std::string name);
 
-    /// The next part without taking it; empty at the end of the name.
+    /// Returns the next part without taking it; empty at the end of the name.
     [[nodiscard]] std::string peek() const { return next_ < parts_.size() ? parts_[next_] : ""; }
 
-    /// The next part, or `otherwise` at the end of the name.
+    /// Takes the next part, or returns `otherwise` at the end of the name.
     std::string take(const std::string& otherwise) {
         return next_ < parts_.size() ? parts_[next_++] : otherwise;
     }
 
-    /// The place, among `names`, of the next part; the first is the default.
+    /// Takes the next part and returns its index in `names`; the default is the first.
     std::size_t take_one_of(const std::vector<std::string>& names);
 
     [[nodiscard]] bool at_end() const { return next_ == parts_.size(); }
@@ -35,14 +35,14 @@ class NameParts {
     std::size_t next_ = 0;
 };
 
-/// "one of A, B, C"
+/// Returns "one of A, B, C".
 [[nodiscard]] std::string one_of(const std::vector<std::string>& names);
 
-/// The number in `text` between a prefix and a suffix, where that is all there is.
+/// Returns the number between prefix and suffix, or none where `text` has another form.
 [[nodiscard]] std::optional<double> number_between(std::string_view prefix, std::string_view text,
                                                    std::string_view suffix);
 
-/// The same for a whole number within bounds, with nothing behind it.
+/// Returns a whole number within bounds after the prefix, or none where `text` has another form.
 [[nodiscard]] std::optional<std::size_t> count_after(std::string_view prefix, std::string_view text,
                                                      std::size_t least, std::size_t most);
 

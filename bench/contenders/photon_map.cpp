@@ -37,7 +37,7 @@ std::optional<photonmap::FixedRadius> fixed_radius(const std::string& part) {
     return photonmap::FixedRadius{*fraction};
 }
 
-/// An index for one radius finds what lies within it, and knows no k nearest.
+/// Parses a radius, the only selection of an index that is made for one radius: it knows no k nearest.
 photonmap::PhotonSelection take_radius(NameParts& parts, const std::string& engine) {
     const std::string part = parts.take("r0.003");
     if (const auto radius = fixed_radius(part)) return *radius;

@@ -1,4 +1,4 @@
-// Photon maps: an engine, which photons are gathered, and how they are weighted.
+// Photon maps: an engine, a selection of photons, and a kernel that weights them.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// What photons are kept in, and found with. Its map is made by the first finish.
+/// Stores photons and finds them. The first finish makes the map.
 class PhotonMapStore : public Store {
   public:
     [[nodiscard]] virtual FinishedMap finish(const photonmap::PhotonSelection& selection,
@@ -18,26 +18,26 @@ class PhotonMapStore : public Store {
 struct PhotonMapEngine {
     std::string name, purpose;
     ChartStyle style;
-    double bytes_per_hit;  ///< at its fullest: while the photons are sorted, or with the index
+    double bytes_per_hit;  ///< at its peak: while the photons are sorted, or with the index
     std::size_t most_photons;
     bool for_one_radius = false;  ///< its index is made for the gather's radius
-    bool grows = false;           ///< photons are inserted one by one: nothing is left to build at the end
+    bool grows = false;           ///< inserts photons one by one, and builds nothing at the end
     std::unique_ptr<PhotonMapStore> (*make_store)(const common::Scene& scene,
                                                   const photonmap::GatherSettings& gather,
                                                   const common::CoveringSurfaces* covers);
 };
 
-/// Adds an engine for as long as the program runs: each has one of these in its file (engines/).
+/// Registers an engine until the program ends. The file of each engine (engines/) has one of these.
 class RegisteredEngine {
   public:
-    /// `place`: where it is told of among the others, each its own; the first is the default.
+    /// `place`: its unique position in lists; the first is the default.
     RegisteredEngine(int place, const PhotonMapEngine& engine);
 };
 
-/// By the order in which they are told of; the first is the default.
+/// Returns all engines by their place; the first is the default.
 [[nodiscard]] const std::map<int, PhotonMapEngine>& photon_map_engines();
 
-/// photonmap / ENGINE / kK kFACTORn23 rFRACTION / disc cone epanechnikov
+/// Named photonmap / ENGINE / kK kFACTORn23 rFRACTION / disc cone epanechnikov.
 class PhotonMapTechnique final : public Technique {
   public:
     PhotonMapTechnique(const PhotonMapEngine& engine, const photonmap::PhotonSelection& selection,

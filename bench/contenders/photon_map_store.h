@@ -1,4 +1,4 @@
-// A photon map's sink as a store: for the engines' files.
+// Makes a store of a photon map's sink: for the engines' files.
 #pragma once
 
 #include <algorithm>
@@ -12,17 +12,17 @@
 
 namespace bench {
 
-// Bytes that a photon takes, at most.
+// Upper bounds for the bytes per photon.
 inline constexpr double photon_bytes = sizeof(common::Vec3) + sizeof(photonmap::Photon);
 inline constexpr double sorting_bytes =
     sizeof(photonmap::Photon) + sizeof(std::uint32_t);  // beside the photons
 
-/// With an index over photons that are sorted first.
+/// Returns the peak bytes per photon if photons are sorted and then indexed.
 [[nodiscard]] constexpr double sorted_and_indexed(double index_bytes) {
     return photon_bytes + std::max(sorting_bytes, index_bytes);
 }
 
-/// The photons are sorted and indexed once, whoever asks for it first.
+/// Sorts and indexes the photons once, at the first finish.
 template <common::MapSink Sink>
 class SinkStore final : public PhotonMapStore {
   public:

@@ -1,4 +1,4 @@
-// A picture of a finished map.
+// Pictures of finished maps.
 #pragma once
 
 #include "bench/contenders/trace_into.h"
@@ -7,11 +7,11 @@
 
 namespace bench {
 
-/// As common::render.
+/// Renders the map like common::render.
 [[nodiscard]] common::Image render_map(const Answers& map, std::span<const common::VisibleSurface> pixels,
                                        int width, int height);
 
-/// Of the map that a run fills; an empty one where it was interrupted.
+/// Renders the map that a run fills. Returns an empty picture if the run was interrupted.
 [[nodiscard]] common::Image render_run(const Contender& contender, PreparedScene& scene, const TracedRun& run,
                                        std::span<const common::VisibleSurface> pixels, int width, int height);
 

@@ -1,4 +1,4 @@
-// The number formats that shlm::TexelSums is measured against, with its interface.
+// Plain number formats to compare shlm::TexelSums with; they have its interface.
 #pragma once
 
 #include "common/core/prefetch.h"
@@ -6,7 +6,7 @@
 
 namespace bench {
 
-/// All texels in one array of one type of number: floats, doubles, or quanta as 64-bit integers.
+/// Sums all texels in one array of one number type: floats, doubles, or quanta as 64-bit integers.
 template <class Model, class Number>
 class PlainSums {
   public:
@@ -28,7 +28,7 @@ class PlainSums {
         ++sum.hits;
     }
 
-    /// Channel c of number i at k = 3 i + c; W times the number of photons emitted.
+    /// Returns channel c of number i, where k = 3 i + c, in W times the number of photons emitted.
     [[nodiscard]] double value(std::size_t texel, std::size_t k) const {
         return static_cast<double>(sums_[texel].value[k]) * (exact ? quantum_.unit(k % 3) : 1);
     }
@@ -48,7 +48,7 @@ class PlainSums {
     std::vector<Sum> sums_;
 };
 
-/// Floats that are drained into doubles every 32 hits.
+/// Sums in floats, which are added to doubles every 32 hits.
 template <class Model>
 class FloatsDrainedIntoDoubles {
   public:

@@ -1,4 +1,4 @@
-// What contenders need of a scene, made once, whatever its light.
+// Data that contenders derive from a scene once, independent of its light.
 #pragma once
 
 #include <map>
@@ -14,23 +14,23 @@
 
 namespace bench {
 
-/// What a contender's name leaves open.
+/// Settings that a contender's name does not determine.
 struct ContenderSettings {
     TexelChoice texels;
-    float max_radius = 0;  ///< of a photon map's k nearest, world units; 0: the default
+    float max_radius = 0;  ///< of a photon map's k nearest, scene units; 0: the default
 };
 
-/// "texels=262144 max-radius=auto", "texels=face,262144 max-radius=0.5"
+/// Formats as "texels=262144 max-radius=auto" or "texels=face,262144 max-radius=0.5".
 [[nodiscard]] std::string describe(const ContenderSettings& settings);
 
-/// What it took to make something once for a scene, before any photon.
+/// The cost of making something once for a scene, before any photon.
 struct Preparation {
     double seconds = 0;     ///< wall time
     std::size_t bytes = 0;  ///< kept beside all maps of the scene
 };
 
-/// Texels, and what covers what, are made when first asked for. Hands out places within itself, so it stays
-/// where it is.
+/// Makes texels and covering surfaces when they are first needed. It returns references to its members, so it
+/// is not movable.
 class PreparedScene {
   public:
     /// `scene` must outlive it.
@@ -40,27 +40,27 @@ class PreparedScene {
 
     [[nodiscard]] const common::Scene& scene() const { return *scene_; }
 
-    /// With the default radius of this scene where none was asked for.
+    /// Returns the settings, with the scene's default radius where none was given.
     [[nodiscard]] const ContenderSettings& settings() const { return settings_; }
 
-    /// Lines about the lightmap coordinates; empty where all is well.
+    /// Returns lines about problems of the lightmap coordinates; empty if there are none.
     [[nodiscard]] const std::vector<std::string>& lightmap_trouble() const { return trouble_; }
     [[nodiscard]] const std::vector<shlm::LightmapUv>& lightmap_uv() const { return uv_.value; }
 
-    /// Throws InputError where no surface can have any.
+    /// Throws InputError where no surface can have texels.
     [[nodiscard]] const shlm::PreparedTexels& texels() { return texels(settings_.texels); }
     [[nodiscard]] const shlm::PreparedTexels& texels(const TexelChoice& choice);
 
     [[nodiscard]] const common::CoveringSurfaces& covers();
 
-    /// Of texels(choice), the search for lightmap coordinates and surfaces included; of these with their
-    /// tree, whose bytes each map counts; of covers().
+    /// Return the costs of: texels(choice), with the search for lightmap coordinates and surfaces; the same
+    /// with the tree over texels, whose bytes are counted in each map; covers().
     [[nodiscard]] Preparation preparation_of_texels(const TexelChoice& choice);
     [[nodiscard]] Preparation preparation_of_texel_tree(const TexelChoice& choice);
     [[nodiscard]] Preparation preparation_of_covers();
 
   private:
-    /// A value and the wall time that it took to make.
+    /// A value and the wall time of making it.
     template <class Value>
     struct Timed {
         common::Stopwatch watch;
@@ -73,7 +73,7 @@ class PreparedScene {
 
     struct TimedTexels {
         Timed<shlm::PreparedTexels> made;
-        double tree_seconds = 0;  ///< once it is there
+        double tree_seconds = 0;  ///< 0 until the tree is made
 
         template <class Make>
         explicit TimedTexels(Make make) : made(make) {}

@@ -31,7 +31,7 @@ float degrees_between(const common::Vec3& a, const common::Vec3& b) {
     return std::acos(std::clamp(a.dot(b), -1.0f, 1.0f)) * 180 / std::numbers::pi_v<float>;
 }
 
-/// Whether the reference looks at the same point. Rounding may send a ray past an edge now and then.
+/// Returns whether the reference sees the same point. Rounding may occasionally send a ray past an edge.
 bool is_same(const common::VisibleSurface& seen, const common::reference::ReferencePoint& reference,
              float tolerance) {
     return seen.present == reference.present &&

@@ -1,4 +1,4 @@
-// What a row of results says of its contender.
+// Describes the contender in a row of results.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,8 +7,8 @@
 
 namespace bench {
 
-/// Adds "method", the name; "fields", what it says, so that nobody has to read it again; and "style", how it
-/// is drawn: {"colour": "#rrggbb", "marker": "o"}.
+/// Adds "method", the name; "fields", its parsed parts, so that no reader has to parse it; and "style", how
+/// it is drawn: {"colour": "#rrggbb", "marker": "o"}.
 inline void add_facts(nlohmann::ordered_json& row, const Contender& contender) {
     const ChartStyle style = contender->style();
     row["method"] = contender.name;

@@ -1,4 +1,4 @@
-// What takes hits while a run is traced.
+// Stores that take hits while a run is traced.
 #pragma once
 
 #include <span>
@@ -9,12 +9,13 @@
 namespace bench {
 
 struct StoreFacts {
-    std::size_t bytes = 0;  ///< held while it takes hits
+    std::size_t bytes = 0;  ///< while it takes hits
     common::RejectedHits rejected;
-    double clamped_share = 0;  ///< of a light map: the part of the light that clamping cosines took
+    double clamped_share = 0;  ///< of a light map: the fraction of flux removed by clamping cosines
 };
 
-/// A PhotonSink at run time, and an UnorderedSink where it takes any order; with the same contracts.
+/// A PhotonSink with run-time polymorphism; an UnorderedSink if it takes any order. The contracts are the
+/// same.
 class Store {
   public:
     virtual ~Store() = default;
@@ -23,10 +24,10 @@ class Store {
 
     [[nodiscard]] virtual bool takes_any_order() const { return false; }
 
-    /// Of stores that take any order: from several threads at once.
+    /// Adds hits from several threads at once. Only for stores that take any order.
     virtual void add(const common::HitBatch& hits);
 
-    /// Goes through all that is stored: for the end of a run.
+    /// Computes the facts by visiting everything stored: for the end of a run.
     [[nodiscard]] virtual StoreFacts facts() const = 0;
 };
 

@@ -6,7 +6,7 @@
 namespace bench {
 namespace {
 
-/// A wave for each in turn, with the wall time that each takes.
+/// Passes each wave to all stores in turn, and measures the wall time of each.
 class WavesInTurn {
   public:
     explicit WavesInTurn(std::span<FilledStore> stores) : stores_(stores) {}
@@ -23,7 +23,7 @@ class WavesInTurn {
     std::span<FilledStore> stores_;
 };
 
-/// A store that takes any order.
+/// Adapts a store that takes any order.
 struct AnyOrder {
     Store& store;
 
@@ -31,7 +31,7 @@ struct AnyOrder {
     void add(const common::HitBatch& hits) { store.add(hits); }
 };
 
-/// One that does not.
+/// Adapts a store that does not.
 struct InOrder {
     Store& store;
 

@@ -13,10 +13,10 @@ namespace {
 
 using common::LightReach;
 
-/// More than half by more than chance: half the sky's light meets a lone floor from below.
+/// A fraction that is more than half beyond chance: half of the sky's light hits a lone floor from below.
 constexpr double well_over_half = 0.55;
 
-/// One line for all lights of which more than `least` is lost in one way, with the worst by name.
+/// Adds one line for all lights that lose a fraction above `least` in one way, naming the worst.
 void add_line(std::vector<std::string>& lines, const common::Pilot& pilot, double least,
               const std::function<double(const LightReach&)>& share, const char* what_happens) {
     const LightReach* worst = nullptr;
@@ -104,7 +104,7 @@ std::vector<std::string> run_trouble(const common::TraceReport& trace, const com
         lines.push_back(fmt::format("{:.3g} % of the hits are rejected: {}",
                                     percent(rejected.total(), trace.hits), reasons));
     }
-    // Where the pilot has met any, that is said already.
+    // If the pilot has met any, light_trouble says so already.
     if (source.pilot().endless == 0 && 100 * trace.fates.given_up > trace.fates.emitted)
         lines.push_back(fmt::format("{:.2g} % of the photons were given up after {} surfaces",
                                     percent(trace.fates.given_up, trace.fates.emitted),

@@ -1,4 +1,4 @@
-// What a user should know of a scene before its results are looked at, a line each on stderr.
+// Warnings about a scene that users should read before its results, one line each on stderr.
 #pragma once
 
 #include <string>
@@ -12,26 +12,26 @@ namespace bench {
 
 void print_warning(const LoadedScene& scene, const std::string& text);
 
-/// What its file asks for and does not get, and where it leaves open what is there.
+/// Returns what the scene's file asks for without getting it, and where its surfaces are ambiguous.
 [[nodiscard]] std::vector<std::string> scene_warnings(const LoadedScene& scene);
 void print_scene_warnings(const LoadedScene& scene);
 
-/// What becomes of its light: light_trouble.
+/// Prints the warnings about its lights: light_trouble.
 void print_light_warnings(const LoadedScene& scene, const common::PhotonSource& source);
 
-/// Lights most of whose light no surface gets, or the backs of surfaces only, and light that does not end: by
-/// the source's pilot.
+/// Reports, from the source's pilot, lights most of whose light reaches no surface or only backs of surfaces,
+/// and light that does not die out.
 [[nodiscard]] std::vector<std::string> light_trouble(const common::PhotonSource& source);
 
-/// That light does not end; empty where it does.
+/// Reports that light does not die out; empty where it does.
 [[nodiscard]] std::string endless_light(const common::PhotonSource& source);
 
-/// Hits that found no place in the map, where most did not, and photons that were given up.
+/// Reports hits that found no place in the map, if most did not, and photons that were terminated.
 [[nodiscard]] std::vector<std::string> run_trouble(const common::TraceReport& trace,
                                                    const common::RejectedHits& rejected,
                                                    const common::PhotonSource& source);
 
-/// What stands in the way of light maps.
+/// Prints the problems of the scene's lightmap coordinates.
 void print_lightmap_warnings(const LoadedScene& scene, const PreparedScene& prepared);
 
 }  // namespace bench

@@ -27,7 +27,7 @@ void add_plinth_and_abacus(MeshBuilder& builder, float height) {
     add_box(builder, square_block(arcade::abacus, height - block_height, height));
 }
 
-/// Flat ring that closes a moulding towards the flutes of the shaft; it faces up where it leads inward.
+/// Adds a flat ring that closes a moulding towards the flutes of the shaft. It faces up if it leads inward.
 void add_ledge(MeshBuilder& builder, float from_radius, float to_radius, float height, int segments) {
     add_lathe(builder, origin, straight_curve({from_radius, height}, {to_radius, height}), segments, 1);
 }

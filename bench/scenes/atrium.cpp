@@ -79,7 +79,7 @@ bool under_lantern(int i, int j) {
     return i >= 3 && i < 11 && j >= 2 && j < 5;
 }
 
-/// Floor, walls, ceiling and lantern: together they have no opening.
+/// Adds floor, walls, ceiling and lantern, which together are closed.
 void add_shell(SceneDescription& scene, const Materials& materials) {
     MeshBuilder floor(4), walls(2.4f), roof(3), skylight;
     add_box_side(floor, hall, Side::bottom, Facing::inward);
@@ -105,7 +105,7 @@ void add_rafters(SceneDescription& scene, const Materials& materials) {
         scene.place("rafter", mesh, materials.wood, translated({2.0f * static_cast<float>(i), 0, 0}));
 }
 
-/// The gallery's floor: a ring about the court, closed at the court by a cornice.
+/// Adds the gallery's floor: a ring around the court, whose inner edge is closed by a cornice.
 void add_gallery(SceneDescription& scene, const Materials& materials) {
     MeshBuilder above(3), below(3);
     const Box ends[2]{
@@ -177,7 +177,8 @@ void add_arcades(SceneDescription& scene, const Materials& materials) {
     add_corner_piers(scene, materials, gallery_floor, upper_springing);
 }
 
-/// Curtains in every second bay of the ground floor, banners from the balustrade at every second column.
+/// Adds curtains in every second bay of the ground floor, and banners on the balustrade at every second
+/// column.
 void add_cloth(SceneDescription& scene, const Materials& materials) {
     const float rod_height = ground_springing - 0.15f, half_opening = 1.35f;
     const int curtain = scene.add_mesh(make_tied_curtain(rod_height, half_opening, 1.25f));
@@ -217,7 +218,8 @@ void add_ornaments(SceneDescription& scene, const Materials& materials) {
             scene.place("gallery_vase", vase, materials.glaze, translated({x, gallery_floor, z}));
 }
 
-/// Warm pendants in the aisles of both storeys and a spot on the knot; the skylight does the rest.
+/// Adds warm pendants in the aisles of both storeys and a spot on the knot; most light comes from the
+/// skylight.
 void add_lamps(SceneDescription& scene, const Materials& materials) {
     const float rod_length = 1.7f;
     const int pendant = scene.add_mesh(make_pendant(rod_length));

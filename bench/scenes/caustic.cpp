@@ -1,4 +1,4 @@
-// Light that reaches the floor only through glass and by way of mirrors.
+// A scene where light reaches the floor only through glass and by way of mirrors.
 #include <numbers>
 
 #include "bench/scenes/scenes.h"
@@ -38,7 +38,7 @@ void add_glass_sphere(SceneDescription& scene) {
     scene.place("glass_sphere", sphere, scene.add_material(glass));
 }
 
-/// Three thin posts that end just below the sphere.
+/// Adds three thin posts that end just below the sphere.
 void add_stand(SceneDescription& scene) {
     const float ring_radius = 0.3f, post_radius = 0.012f;
     const float gap = 0.002f;
@@ -55,7 +55,7 @@ void add_stand(SceneDescription& scene) {
     scene.place("stand", posts, scene.add_diffuse("dark_metal", {0.2f, 0.2f, 0.2f}));
 }
 
-/// A standing strip bent around `centre`, mirrored on its hollow side.
+/// Adds a standing strip that is bent around `centre`, with a mirror on its concave side.
 void add_mirror_band(SceneDescription& scene) {
     const Vec3 centre(0.85f, 0, 0.05f);
     const float radius = 0.62f, thickness = 0.02f, height = 0.5f;

@@ -1,4 +1,5 @@
-// The closed box every renderer is checked with: few triangles, large flat charts, strong colour bleeding.
+// The closed box that every renderer is tested with: few triangles, large flat charts, strong colour
+// bleeding.
 #include "bench/scenes/scenes.h"
 #include "bench/scenes/shapes.h"
 

@@ -22,11 +22,11 @@ std::vector<double> to_doubles(const Vec3& v) {
 }
 
 std::vector<double> to_doubles(const Imath::M44f& m) {
-    // Row vectors in rows are glTF's column vectors in columns.
+    // Imath's rows of row vectors have the memory layout of glTF's columns of column vectors.
     return {&m[0][0], &m[0][0] + 16};
 }
 
-/// Where a light or camera stands that looks along its own -z axis.
+/// Returns the transform of a light or camera, which looks along its own -z axis.
 Imath::M44f looking_along(const Vec3& eye, const Vec3& forward, const Vec3& up) {
     const Vec3 right = forward % up;
     return {right.x,    right.y,    right.z,    0, up.x,  up.y,  up.z,  0,
@@ -75,8 +75,8 @@ void set_emission(const Rgb& radiance, tinygltf::Material& material, tinygltf::M
     use_extension(model, "KHR_materials_emissive_strength");
 }
 
-/// Glass with an inside: without KHR_materials_volume it would be a thin sheet. How thick matters only where
-/// the volume absorbs, which this one does not.
+/// Makes glass with an interior: without KHR_materials_volume it would be a thin sheet. The thickness matters
+/// only if the volume absorbs, which this one does not.
 void set_glass(float index_of_refraction, tinygltf::Material& material, tinygltf::Model& model) {
     Value::Object transmission, ior, volume;
     transmission["transmissionFactor"] = Value(1.0);
@@ -103,7 +103,8 @@ void add_material(const common::Material& in, tinygltf::Model& model) {
     out.normalTexture.index = in.normal_texture.texture;
     out.normalTexture.scale = in.normal_scale;
     if (out.normalTexture.index >= 0) {
-        // Made from heights over u and v; results are on record that were made with these frames.
+        // The normal maps are made from heights over u and v, and recorded results were made with these
+        // frames.
         Value::Object extras;
         extras["tangents"] = Value(std::string("derivatives"));
         out.normalTexture.extras = Value(std::move(extras));
@@ -113,7 +114,7 @@ void add_material(const common::Material& in, tinygltf::Model& model) {
     model.materials.push_back(std::move(out));
 }
 
-/// Appends `items` to the one buffer and gives the accessor to them.
+/// Appends `items` to the buffer and returns their accessor.
 template <class T>
 int add_accessor(const std::vector<T>& items, int type, int component_type, int target,
                  tinygltf::Model& model) {
@@ -167,7 +168,7 @@ tinygltf::Node& add_node(const std::string& name, const Imath::M44f& to_world, t
     return model.nodes.back();
 }
 
-/// One glTF mesh for each pair of geometry and material; placements of the same pair share it.
+/// Adds one glTF mesh per pair of geometry and material; placements of the same pair share it.
 void add_placements(const SceneDescription& scene, tinygltf::Model& model) {
     std::vector<tinygltf::Primitive> geometry;
     for (const Mesh& mesh : scene.mesh) geometry.push_back(add_geometry(mesh, model));
@@ -186,8 +187,8 @@ void add_placements(const SceneDescription& scene, tinygltf::Model& model) {
     }
 }
 
-/// Since tinygltf 2.9 a node has a member for its light, and an extension without it is taken out on writing;
-/// before, the extension is all there is.
+/// Since tinygltf 2.9 a node has a member for its light, and an extension without it is removed on writing.
+/// In older versions only the extension exists.
 template <class Node>
 void refer_to_light(Node& node, int light) {
     Value::Object extension;

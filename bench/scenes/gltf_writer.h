@@ -1,4 +1,4 @@
-// Scene description -> binary glTF 2.0.
+// Writes a scene description as binary glTF 2.0.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace scenes {
 
-/// Writes the scene with all textures inside the file. The file appears whole or not at all.
-/// Throws InputError if it cannot be written.
+/// Writes the scene with all textures inside the file, which appears completely or not at all. Throws
+/// InputError if it cannot be written.
 void write_glb(const SceneDescription& scene, const std::filesystem::path& file);
 
 }  // namespace scenes

@@ -42,8 +42,8 @@ std::optional<Fit> find_tightest_fit(std::span<const Rectangle> free, Vec2 size,
     return best;
 }
 
-/// What is left of a free rectangle around a chart in its corner, cut straight through so that the larger
-/// rest is as large as can be.
+/// Divides the rest of a free rectangle around a chart in its corner by one straight cut, so that the larger
+/// part is as large as possible.
 void split_free_rectangle(std::vector<Rectangle>& free, std::size_t index, Vec2 taken) {
     const Rectangle whole = free[index];
     const Vec2 rest = whole.size - taken;
@@ -52,7 +52,7 @@ void split_free_rectangle(std::vector<Rectangle>& free, std::size_t index, Vec2 
     free.push_back({whole.corner + Vec2(0, taken.y), {cut_upright ? taken.x : whole.size.x, rest.y}});
 }
 
-/// Guillotine packing: every chart takes the corner of the free rectangle it fits most tightly.
+/// Packs by guillotine cuts: every chart takes the corner of the free rectangle that it fits most tightly.
 std::optional<ChartPacking> place_charts(std::span<const Vec2> chart_size, std::span<const std::size_t> order,
                                          Vec2 scale) {
     ChartPacking packing{std::vector<ChartPlacement>(chart_size.size()), scale};

@@ -28,7 +28,7 @@ const std::vector<NamedScene>& own_scenes() {
     return list;
 }
 
-/// Of room-SEED.
+/// Returns the seed in a name such as room-SEED.
 std::optional<std::uint32_t> seed_in(const std::string& name) {
     const std::string prefix = "room-";
     std::uint32_t seed = 0;

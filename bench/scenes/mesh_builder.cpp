@@ -7,7 +7,7 @@
 namespace scenes {
 namespace {
 
-/// Point i of n from a to b: exact at both ends, and the same from b to a.
+/// Returns point i of n from a to b, exact at both ends and symmetric in a and b.
 float subdivide(float a, float b, int i, int n) {
     if (i == 0 || a == b) return a;
     if (i == n) return b;
@@ -28,7 +28,7 @@ Vec3 normal_of(const Surface& surface, float s, float t) {
     return cross.normalized();
 }
 
-/// Running length of a grid of points along one direction, averaged over the other: n values from 0 up.
+/// Returns n arc lengths from 0 along one direction of a grid of points, averaged over the other direction.
 std::vector<float> mean_running_length(int n, int lines, const std::function<Vec3(int, int)>& point) {
     std::vector<float> length(static_cast<std::size_t>(n), 0.0f);
     for (int i = 1; i < n; ++i) {
@@ -50,7 +50,7 @@ std::vector<Vec2> flatten_curved(Cells cells, const std::function<Vec3(int, int)
     return flat;
 }
 
-/// Lays a plane grid down without any distortion.
+/// Flattens a plane grid without any distortion.
 std::vector<Vec2> flatten_plane(Cells cells, const std::function<Vec3(int, int)>& point) {
     const Vec3 origin = point(0, 0);
     const Vec3 axis_s = (point(cells.along_s, 0) - origin).normalized();
@@ -199,7 +199,7 @@ Mesh MeshBuilder::finish() const {
     float area = 0;
     for (const Chart& chart : charts) area += chart.size.x * chart.size.y;
 
-    // More cuts fill the square better but break up the lightmap; each step has to be worth it.
+    // More cuts fill the square better but break up the lightmap, so each step has to be worth it.
     for (float longest_side : {1.0f, 0.7f, 0.5f, 0.35f, 0.25f}) {
         const float gain_worth_a_cut = 1.06f;
         std::vector<Chart> cut_charts = cut_into_charts(longest_side * std::sqrt(area));

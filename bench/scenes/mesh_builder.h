@@ -1,4 +1,4 @@
-// Builds a mesh out of patches, each a grid of cells, with texture and lightmap coordinates.
+// Builds meshes from patches, each a grid of cells, with texture and lightmap coordinates.
 #pragma once
 
 #include <array>
@@ -23,11 +23,11 @@ struct Mesh {
     std::vector<std::uint32_t> index;
 };
 
-/// Position at (s, t), both from 0 to 1; the front is where ds x dt points.
-/// Must also answer a little outside that range, for the normals at its border.
+/// Returns the position at (s, t), both from 0 to 1; the front is where ds x dt points. It must also work
+/// slightly outside that range, for the normals at its border.
 using Surface = std::function<Vec3(float s, float t)>;
 
-/// Says whether cell (i, j) of a grid is there.
+/// Returns whether cell (i, j) of a grid exists.
 using CellFilter = std::function<bool(int i, int j)>;
 
 struct Cells {
@@ -37,22 +37,22 @@ struct Cells {
 
 class MeshBuilder {
   public:
-    /// `texture_size`: metres that one repeat of the textures covers.
+    /// `texture_size`: metres per repeat of the textures.
     explicit MeshBuilder(float texture_size = 1.0f) : texture_size_(texture_size) {}
 
-    /// Plane quad with corners counter-clockwise from the front; s runs from the first corner to the second.
-    /// Corners and edges shared by two quads with the same cells get the same coordinates to the last bit,
-    /// so that closed rooms have no cracks.
+    /// Adds a plane quad with corners counter-clockwise from the front; s runs from the first corner to the
+    /// second. Corners and edges shared by two quads with the same cells get bitwise equal coordinates, so
+    /// that closed rooms have no cracks.
     void add_quad(const std::array<Vec3, 4>& corner, Cells cells = {}, const CellFilter& present = {});
 
-    /// Curved patch with smooth normals. Where it closes on itself along s, a whole number of texture repeats
-    /// fits.
+    /// Adds a curved patch with smooth normals. If it closes on itself along s, it gets a whole number of
+    /// texture repeats.
     void add_surface(Cells cells, const Surface& surface);
 
-    /// Adds a copy of everything so far, turned by half a turn about the y axis.
+    /// Adds a copy of everything so far, rotated by half a turn about the y axis.
     void repeat_turned_half_round();
 
-    /// Cuts long patches into charts, packs these and gives the triangles, leaving out those without area.
+    /// Cuts long patches into charts, packs these, and returns the triangles without those of zero area.
     [[nodiscard]] Mesh finish() const;
 
   private:
@@ -66,7 +66,7 @@ class MeshBuilder {
     std::vector<Patch> patches_;
 };
 
-/// A grid of vertices, row after row along s, in the order of rising t.
+/// A grid of vertices, row after row along s, with ascending t.
 struct MeshBuilder::Patch {
     Cells cells;
     bool is_plane = false;

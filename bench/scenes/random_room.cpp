@@ -1,4 +1,4 @@
-// Furnished rooms that nobody chose: what a promise is kept on that was not made for them.
+// Random furnished rooms, for tests of fit's promise on scenes that it was not made for.
 #include <fmt/format.h>
 
 #include <random>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int texture_pixels = 256;
 
-/// The same numbers everywhere: distributions of the standard library differ.
+/// Random numbers that are the same everywhere; distributions of the standard library differ.
 class Dice {
   public:
     explicit Dice(std::uint32_t seed) : engine_(seed) {}
@@ -83,7 +83,7 @@ class RoomMaker {
         }
     }
 
-    /// Always with a panel in its ceiling, so that no room is dark.
+    /// Adds the shell, always with a lamp panel in its ceiling, so that no room is dark.
     void add_shell() {
         const float half_x = dice_.between(0.1f, 0.6f), half_z = dice_.between(0.1f, 0.6f);
         const float x = dice_.between(room_.min.x + 0.8f, room_.max.x - 0.8f);
@@ -107,7 +107,7 @@ class RoomMaker {
 
     [[nodiscard]] Rgb lamp_colour() { return {1, dice_.between(0.7f, 1), dice_.between(0.45f, 1)}; }
 
-    /// A hanging box that shines on all sides, a bare bulb or a spot.
+    /// Adds a hanging box that emits on all sides, a bare bulb or a spot.
     void add_lamp() {
         const Vec3 at(dice_.between(room_.min.x + 0.5f, room_.max.x - 0.5f),
                       dice_.between(1.6f, room_.max.y - 0.3f),
@@ -142,7 +142,7 @@ class RoomMaker {
         scene_.place(name, scene_.add_mesh(box.finish()), surface(name), turned(dice_.between(0, 90), foot));
     }
 
-    /// Boards on the back wall, with deep shadow between them.
+    /// Adds boards on the back wall, with deep shadows between them.
     void add_shelf() {
         const float width = dice_.between(0.5f, 1.4f), depth = dice_.between(0.15f, 0.4f);
         const float left = dice_.between(room_.min.x + 0.1f, room_.max.x - width - 0.1f);

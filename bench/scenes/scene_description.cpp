@@ -86,7 +86,7 @@ Imath::M44f translated(const Vec3& offset) {
 }
 
 Imath::M44f turned(float degrees, const Vec3& offset) {
-    // Whole quarter turns stay exact.
+    // Whole quarter turns are exact.
     const float quarter = degrees / 90.0f;
     const bool whole = quarter == std::round(quarter);
     const float s = whole ? std::round(std::sin(radians(degrees))) : std::sin(radians(degrees));

@@ -1,4 +1,4 @@
-// A scene before it becomes glTF: meshes placed any number of times, with materials, lights and cameras.
+// A scene before it becomes glTF: meshes that may be placed many times, with materials, lights and cameras.
 #pragma once
 
 #include <Imath/ImathMatrix.h>
@@ -13,7 +13,7 @@
 
 namespace scenes {
 
-/// One node: a mesh with a material at a place.
+/// One node: a placed mesh with a material.
 struct Placement {
     std::string name;
     int mesh;
@@ -23,16 +23,16 @@ struct Placement {
 
 class SceneDescription {
   public:
-    /// Each gives the index to refer to what it added.
+    /// These functions return the index of what they add.
     int add_mesh(Mesh mesh);
     int add_material(common::Material material);
     int add_diffuse(const std::string& name, const Rgb& albedo);
     int add_emitter(const std::string& name, const Rgb& radiance);  ///< W/(m^2 sr)
 
-    /// A diffuse material with base colour and, unless the pattern is flat, normal textures, `size` pixels
-    /// wide.
+    /// Adds a diffuse material with textures of `size` pixels' width: base colour and, unless the pattern is
+    /// flat, normals.
     int add_patterned(const std::string& name, const SurfacePattern& pattern, int size);
-    /// The same with a plain colour and only the normal texture.
+    /// Adds the same with a plain colour and only the normal texture.
     int add_bumped(const std::string& name, const Rgb& albedo, const Height& height, int size);
 
     void place(const std::string& name, int mesh, int material, const Imath::M44f& to_world = {});
@@ -43,7 +43,7 @@ class SceneDescription {
                         float outer_degrees);  ///< W/sr on the axis; half angles of the cones
     void add_camera(const std::string& name, const Vec3& eye, const Vec3& target, float vertical_fov_degrees);
 
-    std::vector<Image> image;  ///< what the materials' TextureUse::texture counts
+    std::vector<Image> image;  ///< the materials' TextureUse::texture is an index into it
     std::vector<common::Material> material;
     std::vector<Mesh> mesh;
     std::vector<Placement> placement;
@@ -54,7 +54,7 @@ class SceneDescription {
 
 [[nodiscard]] Imath::M44f translated(const Vec3& offset);
 
-/// Turned about the y axis, then moved. Positive angles turn +z towards +x.
+/// Rotates about the y axis, then translates. Positive angles rotate +z towards +x.
 [[nodiscard]] Imath::M44f turned(float degrees, const Vec3& offset);
 
 }  // namespace scenes

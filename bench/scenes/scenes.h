@@ -1,4 +1,4 @@
-// The project's own scenes. Units are metres, y is up; README.md says what each is for.
+// The project's own scenes. Units are metres, y is up; README.md explains the purpose of each.
 #pragma once
 
 #include "bench/scenes/scene_description.h"
@@ -10,7 +10,8 @@ namespace scenes {
 [[nodiscard]] SceneDescription make_caustic();
 [[nodiscard]] SceneDescription make_atrium();
 
-/// A closed room with boxes, shelves, lamps, textures and normal maps, all of it drawn from the seed.
+/// Makes a closed room with boxes, shelves, lamps, textures and normal maps, all drawn at random from the
+/// seed.
 [[nodiscard]] SceneDescription make_random_room(std::uint32_t seed);
 
 }  // namespace scenes

@@ -7,7 +7,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// Corners seen from outside, counter-clockwise from the lower left.
+/// Returns the corners as seen from outside, counter-clockwise from the lower left.
 std::array<Vec3, 4> outward_corners(const Vec3& lo, const Vec3& hi, Side side) {
     switch (side) {
         case Side::left:
@@ -41,7 +41,7 @@ Cells cells_of(const Box& box, Side side) {
     return {box.cells[0], box.cells[1]};
 }
 
-/// Odd in 2i - n to the last bit, so that the patches of a sphere meet exactly.
+/// Exactly odd in 2i - n, so that the patches of a sphere meet exactly.
 float equal_angle_step(int i, int n) {
     return std::tan(pi / 4 * static_cast<float>(2 * i - n) / static_cast<float>(n));
 }
@@ -94,7 +94,7 @@ void add_sphere(MeshBuilder& builder, const Vec3& centre, float radius, int cell
     for (int axis = 0; axis < 3; ++axis) {
         for (float sign : {-1.0f, 1.0f}) {
             builder.add_surface({n, n}, [&](float s, float t) {
-                // Exact steps on the grid; in between, only the normals ask.
+                // Steps on the grid are exact; only normals use values between them.
                 const auto at = [&](float x) {
                     const float cell = x * static_cast<float>(n);
                     const float nearest = std::round(cell);

@@ -1,4 +1,4 @@
-// The common solids and surfaces, as patches of a mesh.
+// Common solids and surfaces, as patches of a mesh.
 #pragma once
 
 #include <initializer_list>
@@ -19,38 +19,38 @@ struct Box {
 
 inline const Vec3 origin(0, 0, 0);
 
-/// A profile of a solid of revolution: t from 0 to 1 gives (radius, height) in metres.
+/// The profile of a solid of revolution: maps t from 0 to 1 to (radius, height) in metres.
 using Curve = std::function<Vec2(float t)>;
 
-/// One face of a box. Textures stand upright on the four walls. Cells count from the lower left corner
-/// as seen from the front.
+/// Adds one face of a box. Textures are upright on the four walls. Cells count from the lower left corner as
+/// seen from the front.
 void add_box_side(MeshBuilder& builder, const Box& box, Side side, Facing facing,
                   const CellFilter& present = {});
 
-/// All sides facing outward but for those that are hidden by what the box stands on.
+/// Adds all outward faces except `hidden` ones, which touch what the box stands on.
 void add_box(MeshBuilder& builder, const Box& box, std::initializer_list<Side> hidden = {});
 
-/// The flat rim between two coplanar rectangles, mitred at the corners: four quads that share all their
-/// edges. Corners counter-clockwise from the front, both starting at the same corner.
+/// Adds the flat rim between two coplanar rectangles, mitred at the corners: four quads that share all their
+/// edges. Corners are counter-clockwise from the front, and both rectangles start at the same corner.
 void add_frame(MeshBuilder& builder, const std::array<Vec3, 4>& outer, const std::array<Vec3, 4>& inner);
 
-/// Horizontal rectangle at the top of a room, facing down; corners are (x, z).
+/// Returns a horizontal rectangle at the top of a room, facing down; corners are (x, z).
 [[nodiscard]] std::array<Vec3, 4> ceiling_rectangle(const Box& room, Vec2 min, Vec2 max);
 
-/// The ceiling of a room without the rectangle `opening`, which a flush lamp fills.
+/// Adds the ceiling of a room without the rectangle `opening`, which a flush lamp fills.
 void add_ceiling_around(MeshBuilder& builder, const Box& room, const std::array<Vec3, 4>& opening);
 
-/// Turns the profile about a vertical axis through `centre`; the front is on the right of the curve's way.
-/// A profile that rises faces outward.
+/// Rotates the profile about a vertical axis through `centre`. The front is on the right of the curve's
+/// direction, so a profile that rises faces outward.
 void add_lathe(MeshBuilder& builder, const Vec3& centre, const Curve& profile, int segments, int rings);
 
-/// Sphere of six patches that have neither poles nor slivers.
+/// Adds a sphere of six patches, which have neither poles nor slivers.
 void add_sphere(MeshBuilder& builder, const Vec3& centre, float radius, int cells_per_edge);
 
-/// Smooth curve through the points (Catmull-Rom, uniform).
+/// Returns a smooth curve through the points (Catmull-Rom, uniform).
 [[nodiscard]] Curve smooth_curve(std::span<const Vec2> points);
 
-/// Straight from `a` to `b`.
+/// Returns the straight line from `a` to `b`.
 [[nodiscard]] Curve straight_curve(Vec2 a, Vec2 b);
 
 }  // namespace scenes

@@ -33,7 +33,7 @@ BlockHit find_block(const Masonry& m, Vec2 uv) {
     return {static_cast<int>(column_position) % m.columns, course, std::min(across, down)};
 }
 
-/// 0 in the joint, 1 on the block.
+/// Returns 0 in the joint and 1 on the block.
 float block_mask(const Masonry& m, const BlockHit& hit) {
     return smooth_between(0.4f * m.joint, m.joint, hit.edge_distance);
 }

@@ -1,4 +1,4 @@
-// The materials' patterns: what a wall, a floor or a cloth looks like close up.
+// Patterns of the materials: albedo and relief of walls, floors and cloth.
 #pragma once
 
 #include "bench/scenes/procedural_texture.h"
@@ -27,11 +27,11 @@ struct Masonry {
 [[nodiscard]] SurfacePattern wood(const Rgb& albedo);     ///< boards with grain along v
 [[nodiscard]] SurfacePattern cloth();  ///< near-white weave, to be tinted by the base colour factor
 
-/// Spherical caps in a square grid; `radius_fraction` of 1 makes neighbours touch.
-/// `steepest_slope` in radians is that of the caps' rims.
+/// Returns spherical caps in a square grid; a `radius_fraction` of 1 makes neighbours touch.
+/// `steepest_slope`, in radians, is that of the caps' rims.
 [[nodiscard]] Height domes(int per_side, float radius_fraction, float steepest_slope);
 
-/// Sinusoidal ridges along v, as steep as `steepest_slope` in radians.
+/// Returns sinusoidal ridges along v with the slope `steepest_slope` in radians.
 [[nodiscard]] Height ridges(int per_tile, float steepest_slope);
 
 }  // namespace scenes

@@ -42,8 +42,7 @@ void add_whole(CLI::App& app, const std::string& name, Whole& value, const std::
         ->default_str(std::to_string(value));
 }
 
-/// A value that is empty is a variable of a script that has none; to leave the option out says that nothing
-/// is asked for.
+/// An empty value is probably an unset variable of a script. To ask for nothing, one leaves the option out.
 void refuse_empty_values(CLI::App& command) {
     const auto is_empty = [](const std::string& text) { return text.empty() ? "has no value" : ""; };
     for (CLI::Option* option : command.get_options())

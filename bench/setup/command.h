@@ -1,4 +1,4 @@
-// Commands of the program, and their options. CLI11 is compiled with one file, not with each command.
+// Commands of the program and their options. Only one file includes CLI11, to save compile time.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,20 @@ namespace bench {
 
 enum class Need { optional, required };
 
-/// One command while its options are named. Names that begin with a letter stand for arguments by their
-/// place. What a value is at that time is its default, which the help shows; values outlive the command.
+/// A command whose options are being declared. A name that begins with a letter is a positional argument. A
+/// variable's present value is its default, which the help shows; variables must outlive the command.
 class Command {
   public:
     explicit Command(CLI::App& app) : app_(&app) {}
 
     void option(const std::string& name, std::string& value, const std::string& help,
                 Need need = Need::optional);
-    /// Of any number of texts.
+    /// Accepts any number of texts.
     void option(const std::string& name, std::vector<std::string>& values, const std::string& help,
                 Need need = Need::optional);
     void flag(const std::string& name, bool& value, const std::string& help);
 
-    // Numbers are read as they are written (numbers.h). Bounds are the command's own to check.
+    // Numbers are parsed as in numbers.h. The command itself checks their bounds.
     void whole_number(const std::string& name, std::uint64_t& value, const std::string& help);
     void whole_number(const std::string& name, int& value, const std::string& help);
     void number(const std::string& name, double& value, const std::string& help);
@@ -40,19 +40,19 @@ class Command {
 
 struct CommandEntry {
     std::string name, purpose;
-    /// Names the options, and gives what is to be done once they are read.
+    /// Declares the options, and returns the function to call once they are parsed.
     std::function<std::function<void()>(Command&)> add_to;
 };
 
-/// Adds a command for as long as the program runs: each has one of these in its file.
+/// Registers a command until the program ends. The file of each command has one of these.
 class RegisteredCommand {
   public:
-    /// `place`: where it stands in the help, each its own.
+    /// `place`: its unique position in the help.
     RegisteredCommand(int place, CommandEntry entry);
 };
 
-/// Reads the command line and does what it says. Exit code: 0; 2 where the line means nothing, after saying
-/// so. Throws what the command throws.
+/// Parses the command line and runs the command. Returns 0, or 2 after a message if the line is invalid.
+/// Passes on what the command throws.
 [[nodiscard]] int run_command(int argc, char** argv, const std::function<void(const std::string&)>& complain);
 
 }  // namespace bench

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using common::InputError;
 
-/// None where the file cannot be read.
+/// Returns the notes of the file, or none if it cannot be read.
 common::ImageNotes notes_of(const fs::path& file) {
     try {
         return common::read_notes(file);

@@ -1,4 +1,4 @@
-// The middle of some values.
+// The median.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace bench {
 
-/// The mean of the middle two where there is an even number of them. There must be one.
+/// Returns the median; for an even number of values, the mean of the middle two. There must be at least one.
 [[nodiscard]] inline double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t n = values.size();

@@ -15,7 +15,7 @@ namespace {
 
 using common::InputError;
 
-/// The number at the start of `text`, which it is taken off. Throws InputError where there is none.
+/// Parses the number at the start of `text` and removes it from there. Throws InputError where there is none.
 double take_number(const std::string& option, std::string_view& text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -42,7 +42,7 @@ void check_files(const std::string& option, const fs::path& folder, const Result
     }
 }
 
-/// Whether `file` is below `folder`; both are there.
+/// Returns whether `file` is inside `folder`; both exist.
 bool lies_in(const fs::path& file, const fs::path& folder) {
     std::error_code trouble;
     const fs::path whole_file = fs::canonical(file, trouble), whole_folder = fs::canonical(folder, trouble);

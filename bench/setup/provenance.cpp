@@ -37,7 +37,7 @@ std::string utc_text(std::time_t time) {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(time));
 }
 
-/// When the running program was built.
+/// Returns when the running program was built.
 std::string build_time() {
     struct stat program {};
     return stat("/proc/self/exe", &program) == 0 ? utc_text(program.st_mtime) : "unknown";

@@ -1,4 +1,4 @@
-// Where a result comes from: machine, build, libraries, time.
+// The provenance of a result: machine, build, libraries, time.
 #pragma once
 
 #include <map>
@@ -7,11 +7,11 @@
 
 namespace bench {
 
-/// machine, instruction_set, cores, memory_bytes, compiler, flags, libraries, commit (of the build), built
-/// and date (UTC).
+/// Returns machine, instruction_set, cores, memory_bytes, compiler, flags, libraries, commit (of the build),
+/// built and date (UTC).
 [[nodiscard]] nlohmann::ordered_json provenance();
 
-/// The same for an image's header, as shlmbench:KEY.
+/// Returns the same for an image's header, with keys shlmbench:KEY.
 [[nodiscard]] std::map<std::string, std::string> provenance_notes();
 
 }  // namespace bench

@@ -1,4 +1,4 @@
-// Where the methods are asked for irradiance: the same points for all of them.
+// The points at which all methods are evaluated.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,15 @@
 
 namespace bench {
 
-/// Surface points that the camera sees, in two orders. Neighbours in the image are neighbours in memory too,
-/// so that the same gathers are several times as fast in the first order as in the second.
+/// Surface points that the camera sees, in two orders. In image order, neighbours in the image are neighbours
+/// in memory, which makes the same gathers several times as fast as in shuffled order.
 struct QueryPoints {
     std::vector<common::SurfacePoint> image_order;
     std::vector<common::SurfacePoint> shuffled;
 };
 
-/// The points behind a grid of 96 x 54 pixels. Throws InputError where the camera sees no diffuse surface.
+/// Returns the points behind a grid of 96 x 54 pixels. Throws InputError where the camera sees no diffuse
+/// surface.
 [[nodiscard]] QueryPoints visible_query_points(const LoadedScene& scene, std::uint64_t seed);
 
 }  // namespace bench

@@ -1,4 +1,4 @@
-// Registries that fill themselves before main begins.
+// Registries that are filled before main begins.
 #pragma once
 
 #include <cstdio>
@@ -7,8 +7,8 @@
 
 namespace bench {
 
-/// Adds an entry. Ends the program where the key is taken, as a copied file's is: else one of the two would
-/// be missing, which one being the linker's choice.
+/// Adds an entry. Aborts the program if the key is taken, as happens with a copied file: otherwise one of the
+/// two would be missing, and the link order would decide which.
 template <class Map, class Entry>
 void register_once(Map& registry, const typename Map::key_type& key, Entry&& entry) {
     if (registry.emplace(key, std::forward<Entry>(entry)).second) return;

@@ -1,4 +1,4 @@
-// The words and charts that bench/report makes of results.
+// Runs bench/report, which makes texts and charts of results.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,8 @@
 
 namespace bench {
 
-/// Report `name` of bench/report, of a folder of results. False where it failed; it says why on stderr.
+/// Runs report `name` of bench/report on a folder of results. Returns false if it fails; it says why on
+/// stderr.
 [[nodiscard]] bool write_report(const std::string& name, const std::filesystem::path& folder);
 
 }  // namespace bench

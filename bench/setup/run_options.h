@@ -1,4 +1,4 @@
-// How much to trace, with how many threads and which random numbers.
+// Options for the threads and the random numbers of a run.
 #pragma once
 
 #include <cstdint>

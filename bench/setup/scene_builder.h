@@ -1,4 +1,4 @@
-// Scenes put together in code.
+// Builds scenes in code.
 #pragma once
 
 #include <Imath/ImathMatrix.h>
@@ -20,7 +20,8 @@ using common::Vec3;
 
 inline constexpr double pi = std::numbers::pi;
 
-/// Columns may stay empty: normals become the triangles' own, tangents and texture coordinates absent.
+/// Columns may be empty: normals are then those of the triangles, and tangents and texture coordinates are
+/// absent.
 struct Mesh {
     std::string name;
     std::vector<Vec3> position;
@@ -31,20 +32,21 @@ struct Mesh {
     std::vector<common::TriangleVertices> triangle;
 };
 
-/// Parallelogram that faces along cross(edge_u, edge_v). Both sets of texture coordinates are the unit
-/// square, u along edge_u. Its triangles are (0, 0) (1, 0) (1, 1) and (0, 0) (1, 1) (0, 1).
+/// Makes a parallelogram that faces along cross(edge_u, edge_v). Both sets of texture coordinates are the
+/// unit square, with u along edge_u. Its triangles are (0, 0) (1, 0) (1, 1) and (0, 0) (1, 1) (0, 1).
 Mesh quad(const Vec3& corner, const Vec3& edge_u, const Vec3& edge_v);
 
-/// Where (s, t) of the unit square lies on a quad whose first triangle is `first_triangle`.
+/// Returns the surface coordinates of (s, t) in the unit square on a quad whose first triangle is
+/// `first_triangle`.
 SurfaceId on_quad(std::uint32_t first_triangle, float s, float t);
 
-/// The same mesh with other lightmap coordinates.
+/// Returns the same mesh with other lightmap coordinates.
 Mesh with_lightmap_uv(Mesh mesh, std::vector<Vec2> uv);
 
-/// Both meshes as one.
+/// Returns both meshes as one.
 Mesh joined(Mesh a, const Mesh& b);
 
-/// Faceted sphere with smooth vertex normals: an octahedron, each edge halved `levels` times.
+/// Makes a faceted sphere with smooth vertex normals: an octahedron whose edges are halved `levels` times.
 Mesh sphere(const Vec3& center, float radius, int levels);
 
 Material diffuse(const Rgb& albedo, const Rgb& emitted_radiance = Rgb(0, 0, 0));
@@ -58,22 +60,22 @@ Material glass(float index_of_refraction = 1.5f);
 /// Adds the mesh as an instance with a material of its own. Returns the instance's index.
 std::uint32_t add(Scene& scene, const Mesh& mesh, const Material& material);
 
-/// The six walls of a box, facing inwards: -x, +x, -y, +y, -z, +z.
+/// Returns the six walls of a box, facing inwards: -x, +x, -y, +y, -z, +z.
 std::array<Mesh, 6> box_walls(const Vec3& low, const Vec3& high);
 
-/// Closed box, an instance for each wall.
+/// Makes a closed box with one instance per wall.
 Scene closed_box(const Material& material, const Vec3& low = {-1, -1, -1}, const Vec3& high = {1, 1, 1});
 
-/// Rotation about a skew axis: no edge stays parallel to a coordinate axis.
+/// Returns a rotation about a skew axis, which leaves no edge parallel to a coordinate axis.
 Imath::M44f skew_rotation();
 
-/// Rotates everything, lights included, then moves it by `offset`.
+/// Rotates everything, lights included, then translates it by `offset`.
 Scene moved(Scene scene, const Imath::M44f& rotation, const Vec3& offset);
 
-/// The point as it is seen from straight in front of the triangle.
+/// Returns the point as seen from straight in front of the triangle.
 SurfacePoint front_of(const Scene& scene, const SurfaceId& surface);
 
-/// The same point with its shading normal `angle` radians off the geometric one.
+/// Returns the same point with its shading normal `angle` radians off the geometric one.
 SurfacePoint tilted(SurfacePoint point, double angle, double turn);
 
 }  // namespace bench::scene_builder

@@ -1,4 +1,4 @@
-// The options that every command on a scene takes, and the scene they give.
+// Options that every command on a scene takes, and the scene that they describe.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@ struct SceneOptions {
     void add_to(Command& command);
 };
 
-/// A scene ready to trace and to look at. Its parts point at each other, so it stays where it is.
+/// A scene ready to trace and to view. Its members refer to each other, so it is not movable.
 struct LoadedScene {
     std::string name;  ///< of the file, without folder and extension
     common::Scene scene;
@@ -30,7 +30,7 @@ struct LoadedScene {
     LoadedScene& operator=(const LoadedScene&) = delete;
 };
 
-/// Rows, charts and images go by a scene's name: throws InputError where two files have the same.
+/// Throws InputError where two files have the same name, since rows, charts and images are identified by it.
 void require_different_names(const std::vector<std::string>& files);
 
 }  // namespace bench

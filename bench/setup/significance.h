@@ -1,16 +1,16 @@
-// Bounds for random quantities, from a declared chance of failing by accident.
+// Bounds for random quantities with a declared false alarm probability.
 #pragma once
 
 namespace bench {
 
-/// How many standard deviations a normal variable exceeds, to either side, with probability `alpha`.
+/// Returns how many standard deviations a normal variable exceeds, on either side, with probability `alpha`.
 [[nodiscard]] double z_for(double alpha);
 
-/// Probability that Student's t with so many degrees of freedom exceeds `t` to either side.
+/// Returns the probability that Student's t with so many degrees of freedom exceeds `t` on either side.
 [[nodiscard]] double student_tail(double t, int degrees_of_freedom);
 
-/// How many standard deviations, estimated from one value more than there are degrees of freedom, a normal
-/// variable exceeds, to either side, with probability `alpha`.
+/// Returns how many standard deviations a normal variable exceeds, on either side, with probability `alpha`,
+/// if the deviation is estimated with so many degrees of freedom.
 [[nodiscard]] double t_for(double alpha, int degrees_of_freedom);
 
 }  // namespace bench

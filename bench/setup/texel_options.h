@@ -1,4 +1,4 @@
-// --texels: how many a light map has, and what they are laid out by.
+// --texels: the number of a light map's texels, and their placement.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 namespace bench {
 
 struct TexelChoice {
-    std::size_t count = shlm::default_texels;  ///< in all, as nearly as the layout allows
+    std::size_t count = shlm::default_texels;  ///< in total, as nearly as the layout allows
     shlm::TexelPlacement placement = shlm::TexelPlacement::automatic;
 };
 
-/// "auto", "uv" or "face".
+/// Returns "auto", "uv" or "face".
 [[nodiscard]] std::string name_of(shlm::TexelPlacement placement);
 
-/// "262144", or "face,262144" where the placement is not automatic.
+/// Returns "262144", or "face,262144" where the placement is not automatic.
 [[nodiscard]] std::string describe(const TexelChoice& texels);
 
 struct TexelOptions {
@@ -24,7 +24,8 @@ struct TexelOptions {
 
     void add_to(Command& command);
 
-    /// A number, a placement, or both as in face,65536. Throws InputError, naming the option, for the rest.
+    /// Parses a number, a placement, or both as in face,65536. Throws InputError, naming the option, for
+    /// anything else.
     [[nodiscard]] TexelChoice choice() const;
 };
 

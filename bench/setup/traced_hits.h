@@ -1,4 +1,4 @@
-// Hits that the tracer made.
+// The hits of a traced run.
 #pragma once
 
 #include "common/scene/scene.h"
@@ -12,7 +12,7 @@ struct TracedHits {
     common::TraceReport report;
 };
 
-/// The hits of the run with this seed, as far as `target` says.
+/// Returns the hits of the run with this seed, up to `target`.
 [[nodiscard]] TracedHits traced(const common::Scene& scene, std::uint64_t seed, common::TraceTarget target);
 
 }  // namespace bench

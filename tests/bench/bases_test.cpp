@@ -1,5 +1,5 @@
-// What a texel's basis loses at tilted normals: the light and the truth it is measured with, and what each
-// basis answers.
+// Tests the error of a texel's basis at tilted normals: the light, the truth it is compared with, and the
+// answer of each basis.
 #include <gtest/gtest.h>
 
 #include "bench/experiments/bases/basis_error.h"
@@ -80,9 +80,9 @@ TEST(Environments, RoomsAreLobesOverAFloor) {
     }
 }
 
-/// The lobes' number, brightness and width by what they are at the zenith w: over d uniform in the hemisphere
-/// around it the mean of (w.d)^s is 1 / (s + 1), and that of 1 / (s + 1) over log s uniform from ln 2 to ln
-/// 32 is (ln(32 / 33) - ln(2 / 3)) / ln 16.
+/// The expected radiance of the lobes is derived at the zenith w. For d uniform in the hemisphere around it,
+/// the mean of (w.d)^s is 1 / (s + 1). For log s uniform from ln 2 to ln 32, the mean of 1 / (s + 1) is
+/// (ln(32 / 33) - ln(2 / 3)) / ln 16.
 TEST(Environments, RoomsHaveTheRadianceOfSixLobesOnAverage) {
     const auto count = static_cast<std::uint32_t>(count_for(4000, 400));
     const double expected = 0.1 + 6 * 0.5 * (std::log(32.0 / 33) - std::log(2.0 / 3)) / std::log(16.0);
@@ -112,7 +112,7 @@ TEST(BasisError, TruthOfUniformLightIsTheViewFactor) {
     const Environment uniform = make_environment(LightKind::uniform, 0, 1, 1);
     const std::vector<Vec3> normals = {direction_in_xz(0), direction_in_xz(30), direction_in_xz(-60)};
     const std::vector<double> truth = true_irradiance(uniform, normals);
-    // Light below the clamp of the cosine is left out: no more than a belt of that height at full cosine.
+    // Light below the clamp of the cosine is missing: at most a belt of that height at full cosine.
     const double left_out = 2 * pi * common::min_incident_cosine;
     EXPECT_NEAR(truth[0], pi, left_out);
     EXPECT_NEAR(truth[1], pi * (1 + std::cos(30 * pi / 180)) / 2, left_out);

@@ -1,4 +1,4 @@
-// The figures of bases: over many environments, beside those derived for them without this code.
+// Tests the errors of bases over many environments against figures that were derived without this code.
 #include "bench/experiments/bases/basis_figures.h"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ using shlm::ShWeight;
 using shlm::TexelModel;
 using Words = std::vector<std::string>;
 
-constexpr std::size_t environments = 240;  // as the command has it
+constexpr std::size_t environments = 240;  // as in the command
 
 bool always() {
     return true;
@@ -33,8 +33,9 @@ struct Bounds {
     [[nodiscard]] bool contain(double value) const { return value >= low && value <= high; }
 };
 
-/// `share` to either side of a derived figure. Those below 1 are printed with one digit: of their rounding
-/// interval. A figure of 0 % stands for less than 0.1 %: the photons are not quite uniform light.
+/// Returns bounds at the fraction `share` on either side of a derived figure. Figures below 1 are printed
+/// with one digit, so bounds start from their rounding interval. A figure of 0 % means less than 0.1 %, as
+/// the photons are not exactly uniform light.
 Bounds bounds_around(double figure, double share) {
     if (figure == 0) return {0, 0.1};
     const double rounding = figure < 1 ? 0.05 : 0;
@@ -43,7 +44,7 @@ Bounds bounds_around(double figure, double share) {
 
 constexpr double mean_share = 0.10, worst_share = 0.15;
 
-/// Measured once, however many tests look at it.
+/// Measures once for all tests.
 const std::vector<BasisFigures>& figures_of(LightKind kind) {
     static std::map<LightKind, std::vector<BasisFigures>> known;
     std::vector<BasisFigures>& figures = known[kind];
@@ -64,11 +65,12 @@ void expect_means(LightKind kind, const std::string& basis, double mean) {
 
 const Words derived_bases = {"L0/normalised", "L1/radiance", "L2/radiance", "L4/radiance"};
 
-/// Derived by fits of the whole clamped cosine; ours are fits of its order 2, as order 2 is what is summed.
+/// The derived figure belongs to a fit of the whole clamped cosine; ours fits its order 2, since order 2 is
+/// what is summed.
 const Words fitted_bases = {"H4/radiance"};
 
-/// Mean and worst error in % over point lights more than 10 degrees above the horizon, from the truncated
-/// kernel alone: no light map, no harmonics.
+/// Returns bounds for mean and worst error in % over point lights more than 10 degrees above the horizon,
+/// computed from the truncated kernel alone, without light map or harmonics.
 Bounds point_light_quadrature(int order) {
     constexpr int lights = 400, heights = 60, turns = 120;
     const double horizon = std::sin(10 * pi / 180);
@@ -98,7 +100,8 @@ TEST(BasisFigures, PointLightsAreTheQuadrature) {
     for (std::size_t i = 0; i < derived_bases.size(); ++i) {
         const auto [mean, worst] = point_light_quadrature(orders[i]);
         const ErrorFigures& found = find(figures, derived_bases[i]).series;
-        // One light is jittered in each of 240 belts, and there are 300 normals: a few thousandths.
+        // One light is jittered in each of 240 belts, and there are 300 normals: errors are a few
+        // thousandths.
         EXPECT_NEAR(found.mean, mean, 0.005 * mean) << derived_bases[i];
         EXPECT_NEAR(found.worst, worst, 0.02 * worst) << derived_bases[i];
     }
@@ -110,7 +113,8 @@ TEST(BasisFigures, PointLightsAreAsDerived) {
         const BasisFigures& found = find(figures, basis);
         EXPECT_EQ(found.environments, environments);
         expect_means(LightKind::point, basis, found.series.mean);
-        // Not random: the error is largest at the horizon, and one light is in the lowest of 240 belts.
+        // This is not random: the error is largest at the horizon, and one light is in the lowest of 240
+        // belts.
         const Bounds bounds = bounds_around(*expected_figures(LightKind::point, basis)->worst, worst_share);
         EXPECT_TRUE(bounds.contain(found.series.worst)) << basis << ": " << found.series.worst;
         EXPECT_LE(found.answered.mean, found.series.mean) << "the truth is never below zero";
@@ -142,7 +146,7 @@ TEST(BasisFigures, FitsOverTheHemisphereAreAsDerived) {
     }
 }
 
-/// In light of one colour they are what they are made from; colours cost them, and nobody else.
+/// In light of one colour these bases equal the harmonics they come from. Colours cost only them.
 TEST(BasisFigures, OnlyLuminanceBasesLoseByColour) {
     const auto &grey = figures_of(LightKind::room), &coloured = figures_of(LightKind::coloured_room);
     const auto mean = [](const auto& figures, const std::string& basis) {
@@ -151,7 +155,7 @@ TEST(BasisFigures, OnlyLuminanceBasesLoseByColour) {
     EXPECT_NEAR(mean(grey, "YL2/radiance"), mean(grey, "L2/radiance"), 0.01);
     for (const std::string luminance : {"YL2/radiance", "AD/radiance"})
         EXPECT_GT(mean(coloured, luminance), mean(grey, luminance) + 3) << luminance;
-    // Lobes of random strength by random tints are a little more uneven than lobes of random strength.
+    // Lobes of random strength and tint are slightly more uneven than lobes of random strength.
     for (const std::string& basis : fitted_bases)
         EXPECT_LT(mean(coloured, basis), 1.5 * mean(grey, basis)) << basis;
 }
@@ -169,10 +173,10 @@ TEST(BasisFigures, HalvesAreAsGoodAsFloats) {
     }
 }
 
-/// The worst of 240 rooms is random, and so is the derived figure: the worst of rooms that are not at hand.
-/// Of 40 sets alike each is as likely as any other to hold the largest worst, or the smallest. So the derived
-/// figure, if right and of a set like ours, is outside the range of 39 sets with a chance of 2 / 40. It must
-/// be within 15 % of that range.
+/// The worst of 240 rooms is random, and so is the derived figure, which is the worst of other rooms. Of 40
+/// equivalent sets, each is equally likely to have the largest or the smallest worst error. So a correct
+/// derived figure of an equivalent set is outside the range of 39 sets with probability 2 / 40. It must be
+/// within 15 % of that range.
 TEST(BasisFigures, WorstRoomsAreAsDerived) {
     constexpr std::size_t sets = count_for(39, 0);
     if (sets == 0) GTEST_SKIP() << "takes too long without optimisation";
@@ -202,7 +206,8 @@ TEST(BasisFigures, WorstRoomsAreAsDerived) {
 
 TEST(BasisFigures, FluxWeightReadsTwoThirdsOfUniformLight) {
     const auto& figures = figures_of(LightKind::uniform);
-    // The integral of (3 + 16 x + 15 x^2) / 32 times the cosine x over the hemisphere, over pi.
+    // The expected value is the integral of (3 + 16 x + 15 x^2) / 32 times the cosine x over the hemisphere,
+    // divided by pi.
     EXPECT_NEAR(find(figures, "L2/flux").at_own_normal, 127.0 / 192, 1e-3);
     EXPECT_NEAR(find(figures, "L2/radiance").at_own_normal, 1, 1e-3);
     EXPECT_NEAR(find(figures, "L2/normalised").at_own_normal, 1, 1e-5);
@@ -215,7 +220,7 @@ TEST(BasisFigures, StopWhereTheyAreTold) {
     EXPECT_EQ(asked, 4);
 }
 
-/// A model with one band's factor wrong.
+/// A model with a wrong factor for one band.
 template <int Order, std::size_t First, std::size_t Last>
 struct WrongFactor : TexelModel<Order, ShWeight::radiance> {
     static constexpr float wrong_by = Order == 4 ? -1.0f : 2.0f;

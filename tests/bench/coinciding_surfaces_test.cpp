@@ -1,4 +1,4 @@
-// Where triangles coincide, photons, cameras and the reference meet the same one.
+// Tests that photons, cameras and the reference hit the same one of coinciding triangles.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -34,7 +34,7 @@ Mesh reversed(Mesh mesh) {
     return mesh;
 }
 
-/// Of area 4 in the plane z = 0, facing up, and a quarter of its width in the middle.
+/// A quad of area 4 in the plane z = 0, facing up, and one of a quarter of its width in the middle.
 const Mesh large = quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}),
            small = quad({-0.25f, -0.25f, 0}, {0.5f, 0, 0}, {0, 0.5f, 0});
 
@@ -55,7 +55,8 @@ struct Rays {
     Vec3Array origin, direction;
 };
 
-/// From random places on one side of the quad whose first triangle is `target` to random places on it.
+/// Makes rays from random points on one side of the quad whose first triangle is `target` to random points on
+/// it.
 Rays rays_to(const Scene& scene, std::uint32_t target, float side, std::size_t count) {
     std::mt19937 engine(5);
     std::uniform_real_distribution<float> uniform(0, 1);
@@ -84,8 +85,8 @@ bool same_bits(const SurfaceId& a, const SurfaceId& b) {
 
 constexpr std::size_t ray_count = count_for(5'000, 1'000);
 
-/// Rays from that side of the quad `target` meet, alone and in packets, the instance that `expected` says for
-/// the place where they do.
+/// Expects rays from this side of the quad `target` to hit, alone and in packets, the instance that
+/// `expected` returns for the hit point.
 template <class Expected>
 void expect_met(const Scene& scene, std::uint32_t target, float side, const Expected& expected) {
     const RayScene rays(scene);
@@ -102,14 +103,14 @@ void expect_met(const Scene& scene, std::uint32_t target, float side, const Expe
     }
 }
 
-/// The same instance everywhere, also where the quad is the first mesh of a turned scene.
+/// Expects the same instance everywhere, also where the quad is the first mesh of a rotated scene.
 void expect_met(const Scene& scene, float side, std::uint32_t instance) {
     const auto everywhere = [=](const Vec3&) { return instance; };
     expect_met(scene, 0, side, everywhere);
     expect_met(moved(scene, skew_rotation(), {1, -0.5f, 2}), 0, side, everywhere);
 }
 
-/// This instance in the small quad, the other one around it.
+/// Returns a function that gives `instance` in the small quad and `around` outside it.
 auto in_the_middle(std::uint32_t instance, std::uint32_t around) {
     return
         [=](const Vec3& at) { return std::max(std::abs(at.x), std::abs(at.y)) < 0.25f ? instance : around; };
@@ -185,7 +186,7 @@ TEST(CoincidingSurfaces, AreMetInPacketsForManyTriangles) {
 }
 
 TEST(CoincidingSurfaces, OtherSurfacesStayWhereTheyAre) {
-    // Under the floor that coincides, and through it: neither is in its plane.
+    // These quads are below the floor that coincides, and perpendicular to it: neither is in its plane.
     Scene scene = scene_of({{large, light}, {large, dark}});
     add(scene, quad({-1, -1, -0.001f}, {2, 0, 0}, {0, 2, 0}), light);
     add(scene, quad({0, -1, -1}, {0, 2, 0}, {0, 0, 2}), light);
@@ -200,8 +201,8 @@ TEST(CoincidingSurfaces, OtherSurfacesStayWhereTheyAre) {
 
 // --- light
 
-/// A box, black but for its floor, that is there twice: what comes to the ceiling by way of the floor says
-/// which of both the light met.
+/// Makes a box that is black except for its floor, which exists twice. The light that reaches the ceiling by
+/// way of the floor shows which of both was hit.
 Scene box_with_two_floors(const Material& first, const Material& second) {
     const auto walls = box_walls({-1, -1, -1}, {1, 1, 1});
     Scene scene;
@@ -222,7 +223,7 @@ std::vector<SurfacePoint> on_the_ceiling(const Scene& scene) {
     return points;
 }
 
-/// Means over the points, a value for each of some seeds.
+/// Means over the points, one value per seed.
 struct Answers {
     Sample photon_map, light_map;
 };
@@ -259,7 +260,7 @@ TEST(CoincidingSurfaces, AllMethodsMeetTheSameFloor) {
         const Answers answers = answers_at(scene, points);
         for (const Sample& answer : {answers.photon_map, answers.light_map}) {
             const double own_error = answer.standard_error();
-            // What a disc and a texel blur, and what a series of order 2 leaves out, is within 3 %.
+            // The blur of a disc or texel, and the truncation of a series of order 2, are within 3 %.
             const double bound =
                 t_for(1e-5, 7) * own_error + z_for(1e-5) * std::sqrt(variance_of_truth) + 0.03 * truth;
             EXPECT_NEAR(answer.mean(), truth, bound) << (light_first ? "light first" : "dark first");
@@ -268,7 +269,7 @@ TEST(CoincidingSurfaces, AllMethodsMeetTheSameFloor) {
     }
 }
 
-/// A black box with two lamps in its middle that overlap, facing up.
+/// Makes a black box with two overlapping lamps in its middle, facing up.
 Scene box_with_lamps(const Mesh& first, const Mesh& second) {
     Scene scene = closed_box(black);
     add(scene, first, lamp);
@@ -276,7 +277,7 @@ Scene box_with_lamps(const Mesh& first, const Mesh& second) {
     return scene;
 }
 
-/// What comes to the walls, W: by photons and by the reference.
+/// Expects this power to reach the walls, in W: by photons and by the reference.
 void expect_power(const Scene& scene, double power) {
     const TracedRun run = record(scene, 1, {.photons = count_for(60'000, 12'000)});
     Sample flux;  // of a photon

@@ -1,5 +1,5 @@
-// shlmbench compare at its bound for memory: what does not fit is not started, what grows past it is ended,
-// and the others go on.
+// Tests the memory limit of shlmbench compare: a method that does not fit is not started, one that exceeds
+// the limit is ended, and the others continue.
 #include "bench/contenders/memory_need.h"
 #include "bench/experiments/compare/measure_method.h"
 #include "bench/experiments/compare/row.h"
@@ -18,9 +18,9 @@ using CompareMemory = Command;
 
 constexpr bool sanitized = count_for(0, 1) == 1;  // freed memory stays with the sanitizer
 
-/// A glowing room of white walls in a larger one: no photon ends before
-/// the tracer gives it up, so that a single block of photons has a million hits, whatever number was asked
-/// for. The larger room is for the few that slip through an edge in thousands of bounces.
+/// Makes a room of white emitting walls in a larger one. No photon ends before the tracer terminates it, so a
+/// single block of photons has a million hits, whatever number was asked for. The larger room catches the few
+/// photons that slip through an edge in thousands of bounces.
 GltfFile white_room() {
     std::vector<float> positions;
     for (int wall = 0; wall < 12; ++wall)

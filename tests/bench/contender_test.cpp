@@ -1,4 +1,4 @@
-// Names of methods: what they mean, and what is said of names that mean nothing.
+// Tests the parsing of methods' names and the errors for invalid names.
 #include "bench/contenders/contender.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The photon map's engines side by side: exact ones find the same photons, so that their maps answer alike.
+// Compares the photon map's engines: exact ones find the same photons, so their maps give equal answers.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace tests;
 
-/// Irradiance at the points that the camera sees.
+/// Returns the irradiance at the points that the camera sees.
 std::vector<common::Rgb> answers(const std::string& method, const bench::LoadedScene& scene,
                                  const bench::QueryPoints& queries) {
     bench::PreparedScene prepared(scene, {});
@@ -26,7 +26,8 @@ std::vector<common::Rgb> answers(const std::string& method, const bench::LoadedS
 TEST(Engines, AnswerAlike) {
     const bench::LoadedScene scene(SHLMBENCH_BINARY_DIR "/scenes/cornell.glb", {});
     const bench::QueryPoints queries = bench::visible_query_points(scene, 1);
-    // How many photons an answer sums, at most: generous, but for k far below what one photon is worth.
+    // Generous upper bounds for the number of photons in a sum; the resulting tolerance for k is still far
+    // below the effect of one photon.
     const std::map<std::string, double> photons = {
         {"k50/disc", 50}, {"r0.01/cone", 5'000}, {"r0.1/disc", 200'000}};
     for (const auto& [selection, most] : photons) {
@@ -35,7 +36,7 @@ TEST(Engines, AnswerAlike) {
             if (engine == "grid" && selection.starts_with("k")) continue;
             const auto found = answers("photonmap/" + engine + "/" + selection, scene, queries);
             ASSERT_EQ(found.size(), expected.size());
-            // The same photons, summed in another order: each addition rounds by 2^-24 at most.
+            // The sums have the same photons in another order: each addition rounds by 2^-24 at most.
             const double rounding = most * 0x1p-23;
             for (std::size_t i = 0; i < found.size(); ++i)
                 for (int c = 0; c < 3; ++c)

@@ -1,4 +1,4 @@
-// The widths of the blocks that the picture of a fit's explanation shows.
+// Tests the widths of the blocks in the picture of a fit's explanation.
 #include "bench/experiments/fit/explanation.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ using namespace bench::fit;
 
 class Explanation : public testing::Test {
   protected:
-    /// The median over the picture of a map that was not measured.
+    /// Returns the median over the picture of a map that was not measured.
     float median_width(double texels) {
         FitResult result;
         result.candidates = {{CandidateKind::light_map, "L0/normalised", "bilinear/face", texels}};

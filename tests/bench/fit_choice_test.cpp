@@ -1,4 +1,4 @@
-// What is chosen when errors and costs are known, and what is said where nothing can be.
+// Tests the choice for known errors and costs, and the reason where no choice is possible.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -10,7 +10,7 @@ namespace {
 using namespace bench;
 using namespace bench::fit;
 
-/// Two light maps and two photon maps of known errors and costs, pilot of a million hits.
+/// Two light maps and two photon maps of known errors and costs, from a pilot of a million hits.
 class FitChoice : public testing::Test {
   protected:
     std::vector<Candidate> candidates = {{CandidateKind::light_map, "L2/radiance", "own", 1024},
@@ -23,7 +23,7 @@ class FitChoice : public testing::Test {
     FitGoal goal{.target = 0.05, .z = 0, .max_hits = 1e9};
 
     FitChoice() {
-        // 0.05^2 = 0.0025: 1.25e6 hits, 4e6 hits, 1.6e7 hits, 4e6 hits (k = 8 takes twice as many)
+        // For 0.05^2 = 0.0025 they need 1.25e6, 4e6, 1.6e7 and 4e6 hits (k = 8 needs twice as many).
         add({.pilot_hits = 1e6, .noise_sq = 0.00125, .blur_sq = 0.0015}, 1, 1e5);
         add({.pilot_hits = 1e6, .noise_sq = 0.008, .blur_sq = 0.0005}, 1.5, 4e5);
         add({.pilot_hits = 1e6, .noise_sq = 0.032, .blur_sq = 0.0005}, 2, 23e6);
@@ -92,7 +92,7 @@ TEST_F(FitChoice, PhotonMapsGrowAndSharesTakeEightPhotons) {
 
 TEST_F(FitChoice, TakesTheFewestBytes) {
     goal.least_bytes = true;
-    goal.target = 0.03;  // 0.0009: the first light map blurs too much
+    goal.target = 0.03;  // squared 0.0009: the first light map blurs too much
     EXPECT_EQ(light_map().proposal.candidate, 1u);
     goal.target = 0.05;
     EXPECT_EQ(photon_map().proposal.candidate, 3u);
@@ -131,7 +131,7 @@ TEST_F(FitChoice, SaysHowManyHitsItWouldTake) {
 
 TEST_F(FitChoice, TakesTheNextBestWhereTheBestIsBeyondABudget) {
     goal.least_bytes = true;
-    goal.budget_seconds = 20;  // the share of 24 s is out, and the radius of 32 s too
+    goal.budget_seconds = 20;  // excludes the share of 24 s and the radius of 32 s
     EXPECT_FALSE(photon_map().reached);
     goal.budget_bytes = 2e5;
     goal.budget_seconds = 1e9;
@@ -175,7 +175,7 @@ TEST_F(FitChoice, LeavesOutWhatTheMemoryDoesNotHold) {
 
 TEST_F(FitChoice, AnAdaptiveMapTakesThePilotsHits) {
     candidates[0] = {CandidateKind::adaptive_map, "adaptive", "bilinear", 4, 262144};
-    estimates.model[0]->at_pilot_alone = true;  // 0.0525 at a million hits
+    estimates.model[0]->at_pilot_alone = true;  // an error of 0.0525 at a million hits
     EXPECT_EQ(light_map().proposal.candidate, 1u) << "which reaches 0.05";
     goal.target = 0.06;
     EXPECT_EQ(light_map().proposal.candidate, 0u);
@@ -208,7 +208,7 @@ TEST(NeededHits, OfWhatIsTriedAgainAndAgainMustPassMoreSurely) {
     tried.at_pilot_alone = true;
     estimates.model = {model, tried};
     estimates.measured = {true, true};
-    // 0.002 and two standard errors of 0.0002 are below 0.05 squared, three are not.
+    // 0.002 plus two standard errors of 0.0002 is below 0.05 squared, but not 0.002 plus three.
     EXPECT_TRUE(needed_by_error(estimates, {.target = 0.05, .z = 3, .z_of_tries = 2})[1].sure);
     const auto needed = needed_by_error(estimates, {.target = 0.05, .z = 2, .z_of_tries = 3});
     EXPECT_TRUE(needed[0].sure);

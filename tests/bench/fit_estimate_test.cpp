@@ -1,4 +1,4 @@
-// What two halves say of bias and noise, on estimators whose bias and noise are known.
+// Tests what two halves tell about bias and noise, on estimators of known bias and noise.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -20,9 +20,9 @@ using tests::z_for;
 
 constexpr Tiling tiling = {8, 8};
 constexpr std::uint32_t tiles = 64, points_per_tile = 25, points = tiles * points_per_tile;
-constexpr double alpha = 1e-5;  // of a test to fail by accident
+constexpr double alpha = 1e-5;  // probability that a test fails by chance
 
-/// By place: half of the points are ten times as bright as the others.
+/// Returns the light at a point: half of the points are ten times as bright as the others.
 float light_at(std::uint32_t i) {
     return i % 2 == 0 ? 1.0f : 10.0f;
 }
@@ -49,12 +49,12 @@ Measure measure() {
     return {light, tile_of_points(), tiling};
 }
 
-/// The expected weight: 1 / (R^2 + 0.01 (mean R)^2).
+/// Returns the expected weight: 1 / (R^2 + 0.01 (mean R)^2).
 double weight_at(std::uint32_t i) {
     return 1 / (std::pow(light_at(i), 2) + 0.01 * 5.5 * 5.5);
 }
 
-/// Light plus a relative bias in the tiles that have one, and noise that neighbours share: as texels do.
+/// Light with a relative bias in some tiles, and with noise that neighbours share, as texels have it.
 struct Synthetic {
     double bias, noise;
     std::uint32_t neighbours = 5;
@@ -110,8 +110,8 @@ TEST(FitEstimate, FindsBiasAndNoiseWithoutBiasOfItsOwn) {
     EXPECT_LT(bias_sq.standard_error(), 0.1 * coarse.bias_sq()) << "else this says nothing";
 }
 
-// The spread that an estimate claims is the one it has, or a little more, with bias in few tiles, with bias
-// alone and without any, and with noise that tiles share.
+// The variance that an estimate reports is the true one, or slightly larger. The cases are bias in few tiles,
+// bias alone, no bias, and noise that tiles share.
 
 TEST(FitEstimate, KnowsItsOwnSpread) {
     const Measure by = measure();
@@ -130,7 +130,7 @@ TEST(FitEstimate, KnowsItsOwnSpread) {
             claimed.add(estimate.variance());
         }
         const double variance = std::pow(found.standard_error(), 2) * static_cast<double>(runs);
-        // Of a variance from n normal values: sqrt(2 / n) of it.
+        // A variance from n normal values has the standard deviation sqrt(2 / n) times itself.
         const double deviation =
             std::hypot(variance * std::sqrt(2.0 / static_cast<double>(runs)), claimed.standard_error());
         EXPECT_GT(claimed.mean(), variance - z_for(alpha) * deviation);
@@ -138,12 +138,12 @@ TEST(FitEstimate, KnowsItsOwnSpread) {
     }
 }
 
-// The spread over the points that a grid happens to hit is told from that of the noise.
+// The variance over the points that a grid happens to hit must be separated from that of the noise.
 
 TEST(FitEstimate, KnowsHowMuchHangsOnItsPoints) {
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;
-    constexpr double share = 0.02, crease = 0.5, noise = 0.05;  // of the points, and errors there, relative
+    constexpr double share = 0.02, crease = 0.5, noise = 0.05;  // fraction of points, and relative errors
     Sample value, claimed;
     const std::uint64_t runs = count_for(1000, 200);
     const std::vector<Rgb> ones(points, Rgb(1));
@@ -167,7 +167,7 @@ TEST(FitEstimate, KnowsHowMuchHangsOnItsPoints) {
     EXPECT_LT(claimed.mean(), 1.2 * variance + z_for(alpha) * deviation);
 }
 
-// deviation() bounds what a run's squared error differs from a pilot's estimate of it.
+// deviation() bounds the difference between a run's squared error and a pilot's estimate of it.
 
 TEST(FitEstimate, DeviationBoundsWhatRunsDifferFromEstimates) {
     const Measure by = measure();
@@ -175,7 +175,7 @@ TEST(FitEstimate, DeviationBoundsWhatRunsDifferFromEstimates) {
     std::vector<Rgb> truth(points);
     for (std::uint32_t i = 0; i < points; ++i) truth[i] = Rgb(light_at(i));
     std::mt19937_64 random(3);
-    for (const double times : {0.0625, 0.25, 1.0, 16.0}) {  // hits of the run for each of the pilot's half
+    for (const double times : {0.0625, 0.25, 1.0, 16.0}) {  // hits of the run over those of the pilot's half
         SCOPED_TRACE(times);
         const Synthetic run_of{.bias = coarse.bias, .noise = coarse.noise / std::sqrt(times)};
         Sample difference, claimed;
@@ -208,16 +208,16 @@ TEST(FitEstimate, RefusesToBeRelativeToNothing) {
     EXPECT_THROW(Measure(black, tile_of_points(), tiling), common::InputError);
 }
 
-// Against a truth that is noisy and has no bias.
+// Tests with a truth that is noisy but unbiased.
 
-/// All measured with a million hits a half.
+/// All candidates are measured with a million hits per half.
 class FitTruth : public testing::Test {
   protected:
     std::vector<Candidate> candidates = {{CandidateKind::light_map, "L4/radiance", "own", 1024},
                                          {CandidateKind::photon_radius, "disc", "r", 0.01},
                                          {CandidateKind::photon_share, "disc", "k", 64e-6}};
 
-    /// Without noise.
+    /// Makes a sample without noise.
     [[nodiscard]] static PilotSample sample_of(const std::vector<Rgb>& answers) {
         PilotSample sample;
         sample.halves = {answers, answers};
@@ -231,14 +231,14 @@ class FitTruth : public testing::Test {
         return answers;
     }
 
-    /// In the first half of the tiles too bright by this share of the light.
+    /// Returns light that is too bright by the fraction `share` in the first half of the tiles.
     [[nodiscard]] static std::vector<Rgb> too_bright(float share) {
         std::vector<Rgb> answers = light();
         for (std::uint32_t i = 0; i < points / 2; ++i) answers[i] *= 1 + share;
         return answers;
     }
 
-    /// Of each point by itself, relative.
+    /// Returns a truth with independent relative noise at each point.
     [[nodiscard]] static Halves noisy_truth(float noise, std::uint64_t seed) {
         std::mt19937_64 random(seed);
         const Synthetic truth{.bias = 0, .noise = noise, .neighbours = 1};
@@ -269,7 +269,7 @@ TEST_F(FitTruth, MeasuresEachKindOfMapWhateverTheOthersBlur) {
         return sum;
     };
     const double z = z_for(alpha);
-    constexpr double of_weights = 0.06;  // the light that errors are relative to is known to a few per cent
+    constexpr double of_weights = 0.06;  // the denominators of errors are known to a few per cent
     EXPECT_NEAR(light_map.mean(), true_bias_sq(0.3),
                 z * light_map.standard_error() + of_weights * true_bias_sq(0.3));
     EXPECT_NEAR(photon_map.mean(), true_bias_sq(0.05),
@@ -317,7 +317,7 @@ TEST(FitEstimate, DoubtIsOfTheEstimateAloneNotOfTheRun) {
     EXPECT_GT(model.deviation(1e6), model.doubt(1e6));
 }
 
-// Hits for a target.
+// Tests of the hits for a target.
 
 TEST(FitHits, SolveTheModel) {
     const ErrorModel model{.pilot_hits = 1e6, .noise_sq = 0.04, .blur_sq = 0.0004, .truncation_sq = 0.0005};
@@ -350,7 +350,7 @@ TEST(FitHits, OfAnAdaptiveMapAreThePilots) {
     EXPECT_FALSE(hits_for(model, 0.049, 0)) << "whatever more hits would do";
 }
 
-// Along a chain.
+// Tests of the extrapolation along a chain.
 
 TEST(FitChain, FinerMapsBlurLessAndAreNoisier) {
     const ErrorModel coarse{.pilot_hits = 1e6, .noise_sq = 0.01, .blur_sq = 0.02, .truncation_sq = 0.003};
@@ -361,7 +361,7 @@ TEST(FitChain, FinerMapsBlurLessAndAreNoisier) {
     EXPECT_EQ(fine.pilot_hits, 1e6);
 }
 
-/// Four candidates of one chain, two of another.
+/// Returns four candidates of one chain and two of another.
 std::vector<Candidate> two_chains() {
     std::vector<Candidate> all;
     for (const double texels : {1024.0, 4096.0, 16384.0, 65536.0})
@@ -389,7 +389,8 @@ TEST(FitChain, TakesTheLeastUpperBound) {
     EXPECT_FALSE(model[5]);
 }
 
-/// A map that shows nothing of the light has all of its variance as blur, and so has one of half its width.
+/// A map too coarse to show anything of the light has its whole variance as blur, and so has one of half its
+/// width.
 TEST(FitChain, WhatIsMeasuredIsNotContradictedByTheLaw) {
     const std::vector<Candidate> candidates = two_chains();
     std::vector<std::optional<ErrorModel>> model(candidates.size());

@@ -1,4 +1,4 @@
-// The basis ladder: each basis against what it says it is, and halves against floats.
+// Tests each basis against its definition, and half floats against floats.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -21,7 +21,7 @@ using shlm::TexelModel;
 
 constexpr unsigned seed = 1;
 
-/// Any series of order 2: there need not be light that has it.
+/// Returns any series of order 2; it need not belong to actual light.
 TexelLight<2> any_light(std::mt19937& engine) {
     std::normal_distribution<float> normal;
     TexelLight<2> light;
@@ -34,7 +34,7 @@ Vec3 any_direction(std::mt19937& engine) {
     return Vec3(normal(engine), normal(engine), normal(engine)).normalized();
 }
 
-/// A series in all channels alike.
+/// Returns a series that is equal in all channels.
 TexelLight<2> grey(TexelLight<2> light) {
     for (Rgb& coefficient : light) coefficient = Rgb(1, 1, 1) * common::mean_component(coefficient);
     return light;
@@ -59,7 +59,7 @@ TEST(QuadraticLight, IsTheSeriesMultipliedOut) {
     }
 }
 
-/// A least squares fit leaves an error that is orthogonal to all that it was fitted with.
+/// The error of a least squares fit is orthogonal to all functions that were fitted.
 template <class Basis>
 void expect_least_squares(std::size_t functions) {
     std::mt19937 engine(seed);
@@ -77,7 +77,7 @@ void expect_least_squares(std::size_t functions) {
             for (std::size_t f = 0; f < functions; ++f)
                 products[f] += left * with[f] / static_cast<double>(hemisphere.size());
         }
-        // 20000 directions know integrals of such polynomials within 1e-3.
+        // Integrals of such polynomials over 20000 directions are accurate to 1e-3.
         for (const double product : products) EXPECT_NEAR(product, 0, 3e-3);
     }
 }
@@ -101,7 +101,7 @@ TEST(LuminanceNine, IsOrder2WhereTheLightHasOneColour) {
     }
 }
 
-/// It keeps each channel's own irradiance.
+/// The basis keeps the irradiance of each channel at the surface's own normal.
 TEST(LuminanceNine, KeepsTheColourOfTheOwnNormal) {
     std::mt19937 engine(seed);
     for (int i = 0; i < 100; ++i) {
@@ -116,7 +116,7 @@ TEST(LuminanceNine, KeepsTheColourOfTheOwnNormal) {
     }
 }
 
-/// One light, uniform light from above, and both.
+/// Tests one light, uniform light from above, and both together.
 TEST(AmbientAndDirection, IsExactForOneLightAndUniformLight) {
     const OneTexel texel;
     const std::vector<Vec3> normals = tilted_normals();
@@ -131,13 +131,13 @@ TEST(AmbientAndDirection, IsExactForOneLightAndUniformLight) {
             const auto answers =
                 ask<TexelModel<1, shlm::ShWeight::radiance>, shlm::AmbientAndDirection, float>(
                     texel, texel.photons_of(light), normals);
-            // Uniform light of this many photons is so within a thousandth.
+            // Uniform light of so many photons is accurate to a thousandth.
             EXPECT_LE(relative_rms_percent(answers.answered, truth), share == 1 ? 0.01 : 0.1)
                 << degrees << " degrees, share " << share;
         }
 }
 
-/// Light from anywhere has a model, whatever it is.
+/// Every light has a finite model.
 TEST(AmbientAndDirection, IsFiniteForAnyLight) {
     std::mt19937 engine(seed);
     for (int i = 0; i < 1000; ++i) {
@@ -151,7 +151,7 @@ TEST(AmbientAndDirection, IsFiniteForAnyLight) {
     }
 }
 
-// Halves.
+// Half floats.
 
 shlm::Texel<Harmonics<0>> texel_of(float value) {
     return {{{0, 0, 1}, 1}, {value, value / 3, 0}};

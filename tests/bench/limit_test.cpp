@@ -1,4 +1,5 @@
-// shlmbench limit: its rays are the run's, its ratios those of one repetition; what it refuses.
+// Tests shlmbench limit: it records the rays of the run, its ratios are within one repetition, and it refuses
+// bad input.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -17,11 +18,11 @@ using namespace bench::limit;
 using common::Vec3;
 using Json = nlohmann::json;
 
-constexpr std::uint64_t seed = 5, few_hits = 3000;  // fewer photons than a block has
+constexpr std::uint64_t seed = 5, few_hits = 3000;  // needs fewer photons than a block
 
 const RecordProgress go_on = [](const RecordedRun&) { return true; };
 
-/// A scene with all that its rays need.
+/// A scene with everything that its rays need.
 struct Subject {
     common::Scene scene;
     common::RayScene rays{scene};
@@ -42,7 +43,7 @@ std::vector<Vec3> directions_of(const std::vector<RayBlock>& blocks) {
     return all;
 }
 
-/// Directions of those recorded rays that meet a diffuse surface.
+/// Returns the directions of the recorded rays that hit a diffuse surface.
 std::vector<Vec3> arriving(const Subject& subject, const RecordedRun& run) {
     std::vector<Vec3> all;
     for (const RayBlock& block : run.blocks)
@@ -53,7 +54,7 @@ std::vector<Vec3> arriving(const Subject& subject, const RecordedRun& run) {
     return all;
 }
 
-/// Directions of a block's hits, photon after photon.
+/// Returns the directions of a block's hits, photon by photon.
 std::vector<Vec3> path_by_path(const common::HitBatch& hits) {
     std::vector<std::size_t> order(hits.size());
     std::iota(order.begin(), order.end(), 0);
@@ -64,7 +65,7 @@ std::vector<Vec3> path_by_path(const common::HitBatch& hits) {
     return all;
 }
 
-// caustic has glass and mirrors, which rays meet without a hit.
+// The scene caustic has glass and mirrors, which rays hit without making a hit of the run.
 TEST(RecordedRun, HasTheRaysOfATrace) {
     for (const std::string name : {"cornell", "caustic"}) {
         const Subject subject(name);
@@ -121,13 +122,13 @@ TEST(RecordedRun, SortedHasTheSameRaysOctantAfterOctant) {
 }
 
 TEST(Replay, PacketsFindWhatSingleRaysFind) {
-    for (const std::string name : {"cornell", "atrium"}) {  // packets of 16, of 8
+    for (const std::string name : {"cornell", "atrium"}) {  // packets of 16, then of 8
         const Subject subject(name);
         EXPECT_EQ(count_differences(subject.rays, subject.record(20'000).blocks), 0u) << name;
     }
 }
 
-/// Everything that is timed, on cornell.
+/// Everything that is timed, on the scene cornell.
 struct Parts {
     bench::LoadedScene loaded{cornell, {}};
     common::PhotonSource source{loaded.scene};

@@ -1,5 +1,5 @@
-// The project's own scenes are what bench/scenes/README.md says: lit, closed, and with lightmap coordinates
-// that serve.
+// Tests that the project's own scenes match bench/scenes/README.md: lit, closed, and with usable lightmap
+// coordinates.
 #include <gtest/gtest.h>
 
 #include "common/gltf/load_gltf.h"
@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, OwnScene,
                                          Expected{"atrium", 200'000, 1, 8, 1, 1}),
                          [](const auto& scene) { return scene.param.name; });
 
-// Random rooms: as closed as the others, the same for the same seed, and others for another.
+// Random rooms are as closed as the others, equal for equal seeds, and different for different seeds.
 
 class RandomRoom : public testing::Test {
   protected:

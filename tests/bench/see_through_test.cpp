@@ -1,4 +1,5 @@
-// Photons and eyes where surfaces have colours of their own, are there in part, or let light through unbent.
+// Tests photons and cameras at surfaces that have vertex colours, partial coverage, or transmit light without
+// refraction.
 #include "tests/support/see_through.h"
 
 #include <algorithm>
@@ -37,7 +38,8 @@ Scene plate(const Material& material) {
     return scene;
 }
 
-/// What becomes of photons that come down at this cosine, or up where it is negative: parts of all.
+/// The fates of photons that arrive from above at this cosine, or from below if it is negative, as fractions
+/// of all.
 struct Outcome {
     double straight = 0, reflected = 0, absorbed = 0;
 };
@@ -66,7 +68,7 @@ Outcome scattered(const Scene& scene, double cosine, std::uint64_t count) {
     return outcome;
 }
 
-/// Within chance, of 1 in 1e5.
+/// Expects a fraction within chance, with probability 1e-5 of a false alarm.
 void expect_part(double actual, double expected, std::uint64_t count, const char* what) {
     const double error = std::sqrt(expected * (1 - expected) / static_cast<double>(count));
     EXPECT_NEAR(actual, expected, z_for(1e-5) * error + 1e-6) << what << ", seed " << seed;
@@ -94,8 +96,8 @@ TEST(Scatter, KeepsTheFluxOfWhatGoesThroughAHole) {
     EXPECT_FALSE(common::scatter(scene, somewhere(), {0, 0, -1}, Rgb(0.1f, 2, 7), {0, 0, 0, 0.4999f}));
 }
 
-/// Of light that meets a sheet at this cosine, after all reflections inside it, by Fresnel's own formulae of
-/// sines and tangents and the series itself.
+/// Returns the reflectance of a sheet at this cosine with all reflections inside it, from Fresnel's formulae
+/// of sines and tangents and from the series itself.
 double reflected_by_sheet(double cosine, double index) {
     const double angle = std::acos(cosine), bent = std::asin(std::sin(angle) / index);
     const double s = std::sin(angle - bent) / std::sin(angle + bent);
@@ -137,7 +139,7 @@ TEST(ThinSheet, LetsPhotonsThroughUnbentOnBothFaces) {
 }
 
 TEST(ThinSheet, MayBeThereInPart) {
-    // The number that finds the hole is used again for reflection or not.
+    // The random number that selects the hole is reused to select reflection.
     const Outcome outcome = scattered(plate(blended(thin_sheet(1.5f), 0.3f)), 0.1, photon_count);
     const double reflected = 0.3 * reflected_by_sheet(0.1, 1.5);
     expect_part(outcome.reflected, reflected, photon_count, "reflected");
@@ -170,7 +172,7 @@ struct Faces {
     double area = 0;
 };
 
-/// One side of an instance.
+/// Returns one side of an instance.
 Faces faces_of(const Scene& scene, std::uint32_t instance, bool from_back = false) {
     Faces faces;
     const common::MeshInstance& range = scene.instance[instance];
@@ -181,8 +183,8 @@ Faces faces_of(const Scene& scene, std::uint32_t instance, bool from_back = fals
     return faces;
 }
 
-/// Flux that arrives on each instance from either side, and what the surfaces keep of it, W times the number
-/// emitted.
+/// Sums the flux that arrives on each instance from either side, and what the surfaces absorb of it, in W
+/// times the number emitted.
 class FluxSums {
   public:
     explicit FluxSums(const Scene& scene)
@@ -211,7 +213,7 @@ class FluxSums {
     V3d absorbed_{0, 0, 0};
 };
 
-/// Independent runs of the same scene, for means with errors.
+/// Makes independent runs of the same scene, for means with errors.
 template <class Use>
 void for_each_run(const Scene& scene, std::uint64_t runs, std::uint64_t photons, Use use) {
     for (std::uint64_t run = 0; run < runs; ++run) {
@@ -226,7 +228,7 @@ constexpr std::uint64_t runs = 40, photons_per_run = count_for(20'000, 1'000);
 TEST(SeeThrough, SurfacesKeepThePowerOfTheLights) {
     Scene scene = see_through_room();
     scene.point_light.push_back({scene.bounds.center(), Rgb(1, 2, 3)});
-    scene.material[pane].base_color = Rgb(1, 1, 1);  // clear: it keeps nothing
+    scene.material[pane].base_color = Rgb(1, 1, 1);  // clear: it absorbs nothing
     const common::PhotonSource source(scene);
     std::array<Sample, 3> absorbed;
     for_each_run(scene, runs, photons_per_run, [&](const FluxSums& sums, double watts) {
@@ -234,7 +236,7 @@ TEST(SeeThrough, SurfacesKeepThePowerOfTheLights) {
     });
     for (int c = 0; c < 3; ++c) {
         const Sample& sample = absorbed[static_cast<std::size_t>(c)];
-        // The lamp's power is a mean over a grid of its holes; what it emits is its area, half of it there.
+        // The lamp's power is estimated on a grid over its holes; its true emission is that of half its area.
         const double lamp_power = V3d(6, 5, 4)[c] * pi * 0.5, point_power = 4 * pi * (c + 1);
         EXPECT_NEAR(sample.mean(), lamp_power + point_power, t_for(1e-5, runs - 1) * sample.standard_error())
             << "channel " << c;
@@ -260,7 +262,7 @@ TEST(SeeThrough, HolesAreHitsAndWhatIsNowhereIsNot) {
         const TracedRun run = record(covered, seed, {.photons = 10'000});
         std::uint64_t on_sheet = 0;
         for (const SurfaceId& on : run.hits.surface) on_sheet += covered.instance_of[on.triangle] == sheet;
-        // A square of 2 x 2 takes up that part of all directions, seen from 1/2 before its middle.
+        // A square of 2 x 2, seen from 1/2 in front of its middle, covers this fraction of all directions.
         if (nowhere)
             EXPECT_EQ(on_sheet, 0u);
         else
@@ -268,7 +270,7 @@ TEST(SeeThrough, HolesAreHitsAndWhatIsNowhereIsNot) {
     }
 }
 
-/// The same flux on every wall, within chance of 1 in 1e5 for both together.
+/// Expects the same flux on every wall, within chance of 1 in 1e5 for both together.
 void expect_twins(const Scene& scene, const Scene& twin, std::uint32_t walls) {
     std::vector<Sample> flux(walls), twin_flux(walls);
     for (const bool first : {true, false})
@@ -313,11 +315,12 @@ TEST(SeeThrough, VertexColorsMultiplyTheBaseColor) {
     expect_twins(colored, twin, 6);
     const common::TraceReport report = record(colored, seed, {.photons = photon_count}).report;
     const auto per_photon = static_cast<double>(report.hits) / static_cast<double>(photon_count);
-    // Geometric: mean 1 / (1 - 0.4), variance 0.4 / (1 - 0.4)^2.
+    // The number is geometric: mean 1 / (1 - 0.4), variance 0.4 / (1 - 0.4)^2.
     EXPECT_NEAR(per_photon, 1 / 0.6, z_for(1e-5) * std::sqrt(0.4 / 0.36 / static_cast<double>(photon_count)));
 }
 
-// Walls emit 1 and reflect half: light of radiance 2 everywhere, and whatever keeps to that leaves it so.
+// Walls emit 1 and reflect half, so radiance is 2 everywhere. Objects that keep this balance do not change
+// it.
 Scene furnace() {
     Scene scene = closed_box(diffuse(Rgb(0.5f, 0.5f, 0.5f), Rgb(1, 1, 1)));
     const Material glowing = double_sided(diffuse(Rgb(0.5f, 0.5f, 0.5f), Rgb(1, 1, 1)));
@@ -325,7 +328,7 @@ Scene furnace() {
     add(scene, quad({-0.6f, -0.7f, 0.5f}, {1.2f, 0, 0}, {0, 1.3f, 0.1f}), masked(checkered(scene, glowing)));
     add(scene, quad({-0.8f, -0.7f, 0.1f}, {1.6f, 0, 0.1f}, {0, 1.5f, 0.1f}), thin_sheet(1.8f));
     add(scene, sphere({0, 0.1f, -0.1f}, 0.15f, 1), blended(thin_sheet(1.5f), 0.7f));
-    // Colours and base colours whose product is a half.
+    // The products of colours and base colours are one half.
     for (const std::uint32_t wall : {0u, 3u}) {
         scene.material[wall].base_color = Rgb(0.8f, 1, 0.625f);
         set_color(scene, wall, [](const Vec3&) { return Rgb(0.625f, 0.5f, 0.8f); });
@@ -360,7 +363,7 @@ TEST(SeeThrough, ReferenceIsRightInAFurnace) {
     expect_irradiance(trace_reference(scene, points, seed, count_for(65, 17)), std::span(expected));
 }
 
-/// Light of all kinds, wherever it goes: each side of each surface gets what the reference says.
+/// All kinds of light and surfaces: each side of each surface must get what the reference says.
 TEST(SeeThrough, PhotonsAndReferenceAgree) {
     const Scene scene = see_through_room();
     struct Part {
@@ -390,11 +393,11 @@ TEST(SeeThrough, PhotonsAndReferenceAgree) {
     }
 }
 
-// --- the reference by straight lines
+// --- the reference along straight lines
 
 constexpr std::uint64_t passes = count_for(65, 17);
 
-/// 4 x 4 in the plane y = 0, facing up, below a sheet that nothing gets past.
+/// Makes a floor of 4 x 4 in the plane y = 0, facing up, below a sheet that covers it completely.
 Scene floor_below(const Material& sheet, float height = 1) {
     Scene scene;
     add(scene, quad({-2, 0, -2}, {0, 0, 4}, {4, 0, 0}), black);
@@ -409,7 +412,7 @@ std::vector<SurfacePoint> on_floor(const Scene& scene) {
     return points;
 }
 
-/// Lights without size: every sample is exact.
+/// For lights without size, every sample is exact.
 TEST(ReferenceSeeThrough, LightsWithoutSizeShineStraightThrough) {
     const V3d tint(0.9, 0.6, 0.3);
     struct Case {
@@ -442,7 +445,7 @@ TEST(ReferenceSeeThrough, LightsWithoutSizeShineStraightThrough) {
                 const double falloff = lights == 2 ? 1 : 1 / joining.length2();
                 expected.push_back(part(cosine) * part(cosine) * (9 * cosine * falloff));
             }
-            // Chance finds nothing more: the floor is black, and rays meet no light.
+            // Sampled directions add nothing: the floor is black, and rays hit no light.
             const ReferenceSums sums = trace_reference(scene, points, seed, 1);
             for (std::size_t i = 0; i < points.size(); ++i)
                 for (int c = 0; c < 3; ++c)
@@ -462,13 +465,14 @@ TEST(ReferenceSeeThrough, HalfASheetHalvesDirectLight) {
     const TracedRun run = record(half, seed, {.photons = photon_count});
     std::uint64_t below = 0;
     for (const SurfaceId& on : run.hits.surface) below += half.instance_of[on.triangle] == 0;
-    // Without the sheet, what the floor takes up of all directions.
+    // The fraction of all directions that the floor covers, without the sheet.
     const double without = std::atan(4 / (3 * std::sqrt(17.0))) / pi;
     expect_part(static_cast<double>(below) / static_cast<double>(photon_count), without / 2, photon_count,
                 "on the floor");
 }
 
-/// By places on the light and by directions that meet it alike: the weights must know of both ways.
+/// Panels are sampled by points on them and by directions that hit them; the weights must account for both
+/// ways.
 TEST(ReferenceSeeThrough, PanelsShineThroughSheets) {
     const Vec3 corner(-1, 1.5f, -1), edge_u(2, 0, 0), edge_v(0, 0, 2);
     const double tint = static_cast<double>(0.8f);
@@ -481,7 +485,7 @@ TEST(ReferenceSeeThrough, PanelsShineThroughSheets) {
                             [&](double c) { return tint * (1 - reflected_by_sheet(c, 1.5)); }},
                            {blended(black, 0.3f), [](double) { return 0.7; }}}) {
         Scene scene = floor_below(sheet, 1.2f);
-        // There in part itself.
+        // The panel itself has partial coverage.
         add(scene, quad(corner, edge_u, edge_v), blended(diffuse(Rgb(0, 0, 0), Rgb(5, 5, 5)), 0.6f));
         const std::vector<SurfacePoint> points = on_floor(scene);
         std::vector<double> expected;
@@ -514,8 +518,8 @@ TEST(ReferenceSeeThrough, SkyShinesThroughAThinSheet) {
     expect_irradiance(trace_reference(scene, std::span(&point, 1), seed, passes), std::span(all));
 }
 
-/// As IsTheAdjointOfThePhotonTracer in reference_specular_test.cpp: here radiance of 1 comes from above, and
-/// the smooth normals lean.
+/// Does the same as IsTheAdjointOfThePhotonTracer in reference_specular_test.cpp, but here a radiance of 1
+/// comes from above, and the smooth normals are tilted.
 TEST(ReferenceSeeThrough, SheetIsTheAdjointOfThePhotonTracer) {
     using common::reference::cosine_direction;
     Scene scene;
@@ -585,7 +589,7 @@ TEST(VisibleSurfaces, ShowWhatIsBehindHoles) {
 }
 
 TEST(VisibleSurfaces, ChooseAnewAtEverySheet) {
-    // Two sheets of one half each: a quarter is seen of the floor below both, and of neither.
+    // Two sheets of one half each show a quarter of the floor below both.
     Scene scene = floor_below(blended(black, 0.5f));
     add(scene, quad({-20, 1.5f, -20}, {0, 0, 40}, {40, 0, 0}), blended(black, 0.5f));
     const auto seen = look_down(scene, 64);

@@ -1,4 +1,4 @@
-// Every stability case in its short form: it passes, and each of its mutations makes it fail.
+// Runs every stability case in its short form: it passes, and each of its mutations makes it fail.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using namespace bench::stability;
 class StabilityCases : public testing::TestWithParam<const StabilityCase*> {};
 
 TEST_P(StabilityCases, AreAsPredicted) {
-    // Where every sample is slow there are too few seeds to judge by: the sanitizers see the code run.
+    // In slow builds there are too few seeds to judge by: there, the sanitizers only check the code.
     const bool judged = tests::count_for(1, 0) == 1;
     const auto curves = GetParam()->run(CaseRun(false, {}, {}, judged ? 12 : 2));
     ASSERT_FALSE(curves.empty());
@@ -57,7 +57,8 @@ TEST(StabilityVerdict, KnowsItsBands) {
     const StabilityPoint random{0, 1.0, 0.1, {0.9, 1.0, 1.1, 1.0}};
     const PointVerdict verdict = judge(random, Expected::equal, 0.01);
     EXPECT_NEAR(verdict.mean, 1, 1e-12);
-    // Standard error sqrt(0.02 / 3 / 4) = 0.0408248; Student's t of 3 degrees: 5.8409 at 1 %, 3.1824 at 5 %.
+    // The standard error is sqrt(0.02 / 3 / 4) = 0.0408248. Student's t with 3 degrees of freedom is 5.8409
+    // at 1 %, 3.1824 at 5 %.
     EXPECT_NEAR(verdict.band, 0.1 + 5.8409 * 0.0408248, 1e-4);
     EXPECT_NEAR(verdict.confidence, 3.1824 * 0.0408248, 1e-4);
     const double not_a_number = std::numeric_limits<double>::quiet_NaN();

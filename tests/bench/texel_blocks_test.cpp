@@ -19,7 +19,7 @@ float middle_of(int texel) {
     return (static_cast<float>(texel) + 0.5f) / side;
 }
 
-/// `count` hits of 1 W each, straight down, in the middle of a texel.
+/// Adds `count` hits of 1 W each, straight down, in the middle of a texel.
 void add_hits(HitBatch& hits, const Scene& scene, std::uint32_t first_triangle, int column, int row,
               int count) {
     const SurfaceId on = on_quad(first_triangle, middle_of(column), middle_of(row));
@@ -28,14 +28,14 @@ void add_hits(HitBatch& hits, const Scene& scene, std::uint32_t first_triangle, 
                        on);
 }
 
-/// In the middle of a texel, times the texel's area: the hits that it shows.
+/// Returns the number of hits that a texel shows: the irradiance in its middle times its area.
 template <class Map>
 double shown(const Map& map, const Scene& scene, std::uint32_t first_triangle, int column, int row) {
     const SurfacePoint point = front_of(scene, on_quad(first_triangle, middle_of(column), middle_of(row)));
     return map.irradiance(point).x / (side * side);
 }
 
-/// Two quads side by side in one lightmap, each a half of it.
+/// Makes two quads that share one lightmap, half of it each.
 Scene two_quads(const Mesh& left, const Mesh& right) {
     const auto half_from = [](float u) {
         return std::vector<Vec2>{{u, 0}, {u + 0.5f, 0}, {u + 0.5f, 1}, {u, 1}};
@@ -61,8 +61,8 @@ TEST(TexelBlocks, ABlockWithEnoughHitsIsDivided) {
     const Scene& scene = unit_floor();
     const auto texels = texels_of(scene, side * side);
     HitBatch hits;
-    add_hits(hits, scene, 0, 0, 0, 10);  // in a block of 2 x 2 that has enough: each texel by itself
-    add_hits(hits, scene, 0, 7, 7, 6);   // in the opposite one, which has not; but that of 4 x 4 has
+    add_hits(hits, scene, 0, 0, 0, 10);  // in a block of 2 x 2 that has enough hits: each texel shows its own
+    add_hits(hits, scene, 0, 7, 7, 6);   // in the opposite block, which has too few; its 4 x 4 has enough
     add_hits(hits, scene, 0, 4, 4, 4);
     const auto map = light_map_of<FlatModel>(texels, hits, OwnTexel{}, 10);
     EXPECT_NEAR(shown(map, scene, 0, 0, 0), 10, 1e-5);
@@ -82,8 +82,8 @@ TEST(TexelBlocks, WithoutLeastHitsEachTexelShowsItsOwn) {
     EXPECT_EQ(shown(map, scene, 0, 2, 5), 0);
 }
 
-/// The light of the whole surface, over a rectangle of texels that is no power of two, whose last row and
-/// column are cut.
+/// Sums the light of the whole surface, over a rectangle of texels whose sides are no powers of two, and
+/// whose last row and column are cut.
 TEST(TexelBlocks, NoLightIsLostOrMade) {
     const Mesh mesh = with_lightmap_uv(quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                                        {{0, 0}, {0.93f, 0.04f}, {0.97f, 0.95f}, {0.06f, 0.91f}});
@@ -143,8 +143,8 @@ TEST(TexelBlocks, DoNotReachOverToAChartFarAway) {
     }
 }
 
-/// Light up to x = 27.3 texels, where no block ends. What is beyond shares light only with a block that has
-/// too few hits for itself: at half a hit to a texel those of 8 x 8, at 4 those of 2 x 2.
+/// Light ends at x = 27.3 texels, where no block ends. Texels beyond share light only within a block that has
+/// too few hits for itself: 8 x 8 at half a hit per texel, 2 x 2 at 4.
 TEST(TexelBlocks, ShadowsStayDarkBesideEnoughLight) {
     const Scene& scene = unit_floor();
     const auto texels = texels_of(scene, 64 * 64);

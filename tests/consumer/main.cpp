@@ -1,4 +1,4 @@
-// Traces a glTF scene into a sink of this program's own and into a light map, and asks the map.
+// Traces a glTF scene into a sink of this program and into a light map, and evaluates the map.
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -12,7 +12,7 @@
 
 namespace {
 
-/// All that arrives, W times the number of photons emitted.
+/// Sums all arriving flux, W times the number of photons emitted.
 struct ArrivingLight {
     common::Rgb sum{0, 0, 0};
 

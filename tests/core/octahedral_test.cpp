@@ -1,4 +1,4 @@
-// Unit vectors in few bits.
+// Tests unit vectors in few bits.
 #include "common/core/octahedral.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 template <int Bits>
 void expect_directions_within_bound(unsigned seed) {
-    // Half a step in each coordinate moves a point of the octahedron by sqrt(6) of it at most, and its faces
-    // come as near to the centre as 1 / sqrt(3): 3 sqrt(2) half steps.
+    // Half a step in each coordinate moves a point of the octahedron by at most sqrt(6) half steps. Its faces
+    // are as near to the centre as 1 / sqrt(3), so the angle is at most 3 sqrt(2) half steps.
     const double bound = std::sqrt(4.5) / Octahedral<Bits>::half_steps, float_rounding = 1e-6;
     std::mt19937 engine(seed);
     double worst = 0;

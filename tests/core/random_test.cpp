@@ -13,7 +13,7 @@ using common::RandomPurpose;
 constexpr std::uint64_t draws = count_for(1'000'000, 100'000);
 
 TEST(Random, IsPhilox) {
-    // Philox4x32-10 of counter 0 and key 0: the known answer that comes with Random123.
+    // Philox4x32-10 of counter 0 and key 0: the known answer that is part of Random123.
     const std::array<std::uint32_t, 4> bits = {0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8};
     const auto u = random_uniforms(0, 0, 0, RandomPurpose::emission_origin);
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(u[i], static_cast<float>(bits[i] >> 8) / 16777216.0f);
@@ -41,8 +41,7 @@ TEST(Random, ReachesTheLargestFloatBelowOne) {
     EXPECT_EQ(random_uniforms(1, 10'223'920, 0, RandomPurpose::emission_direction)[0], 1 - 0x1p-24f);
 }
 
-/// Draws pairs of numbers that must have nothing to do with each other, and looks at all cells of the unit
-/// square.
+/// Draws pairs of numbers that must be independent, and counts them in all cells of the unit square.
 template <class Draw>
 void expect_independent(const char* what, Draw draw) {
     constexpr std::size_t side = 17;

@@ -1,4 +1,5 @@
-// The figures of a difference: against sums made by hand, and against what errors of known size must give.
+// Tests the figures of a difference against sums made by hand, and against the results for errors of known
+// size.
 #include "common/difference/error_metrics.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ Pixels grey(std::size_t count, float value) {
     return Pixels(count, Rgb(value, value, value));
 }
 
-/// The cosines of a surface that turns away: from 1 to 0, one step a pixel.
+/// Returns the cosines of a surface that turns away: from 1 to 0, one step per pixel.
 Pixels cosine_ramp(std::size_t count) {
     Pixels pixels;
     for (std::size_t p = 0; p < count; ++p) {
@@ -96,7 +97,7 @@ TEST(Difference, CountsAHundredthOfTheValuesBeyondThe99thPercentile) {
 }
 
 TEST(Difference, SaysWhatAThousandthOfThePixelsHas) {
-    const Pixels reference = grey(1500, 1);  // a thousandth is two pixels, begun ones counted
+    const Pixels reference = grey(1500, 1);  // a thousandth is two pixels, rounded up
     Pixels image = reference;
     for (Rgb& pixel : image) pixel.x += 0.01f;
     image[700] += Rgb(3, 0, 0);
@@ -202,7 +203,7 @@ TEST(RelativeEpsilon, RefusesAReferenceThatIsNoMeasure) {
     EXPECT_THROW((void)common::relative_epsilon(grey(5, 0)), InputError);
     EXPECT_THROW((void)common::relative_epsilon(Pixels{{1, -1, 0}}), InputError);
     EXPECT_THROW((void)common::relative_epsilon({}), InputError);
-    // Its square, as a float, would be nothing or infinite, and every error infinite or nothing.
+    // The square would underflow or overflow as a float, and every error would be infinite or zero.
     EXPECT_THROW((void)common::relative_epsilon(grey(5, 1e-30f)), InputError);
     EXPECT_THROW((void)common::relative_epsilon(grey(5, 1e30f)), InputError);
 }

@@ -1,4 +1,4 @@
-// What FLIP is made of: colours, filters, exposures and the colours of its map.
+// Tests the parts of FLIP: colours, filters, exposures and the colours of its map.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -97,7 +97,7 @@ TEST(FlipFilters, AreAppliedAlongRowsAndColumns) {
             EXPECT_EQ(spread.row(y)[x], within ? horizontal.weights[i] * vertical.weights[j] : 0)
                 << x << ", " << y;
         }
-    common::Plane narrow(1, 2);  // smaller than the filter: its own pixels stand for what is beyond
+    common::Plane narrow(1, 2);  // smaller than the filter: its border pixels are repeated beyond it
     narrow.values = {1, 3};
     EXPECT_EQ(common::filtered(narrow, horizontal, vertical).values,
               (std::vector<float>{6 * 70 + 18 * 120, 6 * 30 + 18 * 160}));

@@ -1,4 +1,4 @@
-// FLIP against the published evaluator, and against what follows from its definition.
+// Tests FLIP against the published evaluator, and against consequences of its definition.
 #include "common/difference/flip.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ std::size_t place(int x, int y) {
     return static_cast<std::size_t>(y) * width + x;
 }
 
-/// value(x, y, channel) in every pixel and channel.
+/// Makes a picture with value(x, y, channel) in every pixel and channel.
 template <class Function>
 Pixels picture(Function value) {
     Pixels pixels;
@@ -36,7 +36,7 @@ Pixels uniform(const Rgb& color) {
     return Pixels(std::size_t{width} * height, color);
 }
 
-/// Scrambles its arguments to a number in [0, 1).
+/// Hashes its arguments to a number in [0, 1).
 double noise(int x, int y, int c) {
     const auto hash = (static_cast<std::uint32_t>(x) * 73856093u ^ static_cast<std::uint32_t>(y) * 19349663u ^
                        static_cast<std::uint32_t>(c) * 83492791u) *
@@ -49,7 +49,7 @@ double spots(int x, int y, int c) {
     return 0.5 + 0.4 * std::sin(0.3 * x + c) * std::cos(0.2 * y - 0.5 * c);
 }
 
-/// The same under light that grows a thousandfold from left to right.
+/// Returns the same under light that increases a thousandfold from left to right.
 double bright_spots(int x, int y, int c) {
     return spots(x, y, c) * std::pow(10.0, x / 16.0 - 1);
 }
@@ -58,8 +58,8 @@ double tint(int c) {
     return std::array{0.7, 1.0, 1.1}[c];
 }
 
-// What flip_evaluator 1.7 from the Python Package Index gives for these pictures:
-// evaluate(reference, image, "LDR" or "HDR", inputsRGB=False, applyMagma=False).
+// The results of flip_evaluator 1.7 from the Python Package Index for these pictures, by evaluate(reference,
+// image, "LDR" or "HDR", inputsRGB=False, applyMagma=False).
 
 struct Recorded {
     const char* name;
@@ -143,7 +143,7 @@ TEST(Flip, IsThePublishedEvaluators) {
         expect_recorded(recorded, common::flip_map(recorded.image, recorded.reference, width, height));
 }
 
-// What follows from the definition.
+// Consequences of the definition.
 
 float largest(const std::vector<float>& map) {
     return *std::max_element(map.begin(), map.end());
@@ -155,7 +155,7 @@ float largest_difference(const std::vector<float>& a, const std::vector<float>& 
     return most;
 }
 
-/// Rounding of the sums of some twenty floats, and the steep root of FLIP near no difference.
+/// Rounding of the sums of some twenty floats, and the steep root of FLIP near zero difference.
 constexpr float rounding = 1e-4f;
 
 Pixels mirrored(const Pixels& pixels) {

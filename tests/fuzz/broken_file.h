@@ -1,4 +1,4 @@
-// What is done with files that anybody may have written: each returns the line that refuses the file, or
+// Reads files that may come from anybody. Each function returns the line with which the file is refused, or
 // nothing if it is sound.
 #pragma once
 
@@ -14,9 +14,9 @@
 
 namespace fuzz {
 
-/// All that commands do with a scene before they trace.
+/// Does everything that commands do with a scene before they trace.
 inline std::string trouble_of_scene(const std::filesystem::path& file) {
-    constexpr std::size_t many = 100'000;  // triangles: nothing new, but slow
+    constexpr std::size_t many = 100'000;  // triangles: more are slow and test nothing new
     try {
         const common::Scene scene = common::load_gltf(file);
         if (scene.triangle.size() > many) return {};
@@ -32,7 +32,7 @@ inline std::string trouble_of_scene(const std::filesystem::path& file) {
     return {};
 }
 
-/// As a run that goes on and a merge read it.
+/// Reads the file as a continued run and a merge do.
 inline std::string trouble_of_checkpoint(const std::filesystem::path& file) {
     constexpr std::size_t many = 1 << 20;  // pixels
     try {

@@ -1,4 +1,4 @@
-// Any bytes as a light map's file: it is read whole, or there is one line that says what is wrong.
+// Reads any bytes as a light map's file: either completely, or with one line that says what is wrong.
 #include <cstdlib>
 
 #include "tests/fuzz/broken_file.h"

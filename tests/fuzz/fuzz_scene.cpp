@@ -1,4 +1,4 @@
-// Any bytes as a scene: it loads, and can be given texels, or there is one line that says what is wrong.
+// Loads any bytes as a scene and gives it texels, or reports in one line what is wrong.
 #include <cstdlib>
 #include <cstring>
 

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 using Generator = std::minstd_rand;
 
-/// The JSON values that people forget to think of.
+/// Returns JSON values that are easily forgotten.
 Json odd_value(Generator& generator) {
     static const std::vector<Json> values = {nullptr,
                                              true,
@@ -54,7 +54,7 @@ Json odd_value(Generator& generator) {
     return values[generator() % values.size()];
 }
 
-/// The value itself and all in it.
+/// Collects the value itself and everything in it.
 void collect(Json& value, std::vector<Json*>& values) {
     values.push_back(&value);
     if (value.is_structured())
@@ -69,7 +69,7 @@ void change(Json& document, Generator& generator) {
         case 0:
             chosen = odd_value(generator);
             break;
-        case 1:  // a copy: it may be what contains the chosen one
+        case 1:  // a copy, possibly of an element that contains this one
             chosen = Json(*values[generator() % values.size()]);
             break;
         case 2:

@@ -1,4 +1,4 @@
-// Changes to a glTF file that leave it one: most changes of bytes alone end at the parser.
+// Changes a glTF file so that it remains one, since most changes of single bytes are stopped by the parser.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace fuzz {
 
-/// A GLB of the file with a few values of its JSON replaced, removed or copied elsewhere, chosen by `seed`.
-/// Throws InputError where it has no JSON.
+/// Returns a GLB of the file in which a few values of its JSON, chosen by `seed`, are replaced, removed or
+/// copied elsewhere. Throws InputError if the file has no JSON.
 [[nodiscard]] std::vector<std::uint8_t> mutated_gltf(std::span<const std::uint8_t> file, unsigned seed);
 
 }  // namespace fuzz

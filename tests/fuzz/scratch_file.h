@@ -1,4 +1,4 @@
-// Where a fuzzer's bytes become a file: what is tested reads files.
+// Writes a fuzzer's bytes to a file, as the tested code reads files.
 #pragma once
 
 #include <unistd.h>
@@ -11,7 +11,7 @@
 
 namespace fuzz {
 
-/// Of this process, in memory where the system has a place for that; removed with the object.
+/// A file of this process, in memory if the system supports that; removed with the object.
 class ScratchFile {
   public:
     ScratchFile(const std::string& extension, std::span<const std::uint8_t> bytes)

@@ -1,4 +1,4 @@
-// Files that once made a program crash, hang or say nonsense, and those that fuzzing begins with.
+// Tests files that once made a program crash, hang or report nonsense, and the initial inputs of fuzzing.
 #include <gtest/gtest.h>
 
 #include "tests/fuzz/broken_file.h"

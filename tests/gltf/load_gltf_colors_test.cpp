@@ -1,4 +1,4 @@
-// Vertex colours as glTF files give them.
+// Tests vertex colours in glTF files.
 #include "common/scene/surface_point.h"
 #include "tests/support/load_gltf.h"
 
@@ -8,7 +8,7 @@ using namespace gltf_text;
 
 using LoadGltfColors = LoadGltf;
 
-/// One triangle whose COLOR_0 holds these numbers.
+/// Makes one triangle whose COLOR_0 holds these numbers.
 template <class T>
 GltfFile colored_triangle(const std::vector<T>& values, int component_type, const std::string& type,
                           bool normalized) {
@@ -76,14 +76,14 @@ TEST_F(LoadGltfColors, AreNotKeptWhereTheyChangeNothing) {
         EXPECT_TRUE(scene.color.empty());
         EXPECT_TRUE(scene.alpha.empty());
     }
-    // Alpha of an opaque material changes nothing either.
+    // The alpha of an opaque material has no effect either.
     const std::vector<float> white = {1, 1, 1, 0.5f, 1, 1, 1, 0, 1, 1, 1, 1};
     EXPECT_TRUE(load(floats(white, "VEC4")).color.empty());
     EXPECT_TRUE(load(one_triangle()).color.empty());
 }
 
 TEST_F(LoadGltfColors, AreWhiteWhereAMeshHasNone) {
-    // Three primitives of three vertices: without, with, and without colours, in every order.
+    // Three primitives of three vertices: one of them has colours, at each position in turn.
     for (int with = 0; with < 3; ++with) {
         GltfFile file = floats({0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f});
         const Json colored = file.primitive();

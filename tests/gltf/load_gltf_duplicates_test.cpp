@@ -1,4 +1,4 @@
-// glTF loader: triangles that a file has more than once at the same place.
+// glTF loader: triangles that a file has more than once at the same position.
 #include "common/gltf/duplicates.h"
 #include "common/tracer/photon_source.h"
 #include "tests/support/load_gltf.h"
@@ -11,7 +11,7 @@ using tests::diffuse;
 
 using LoadGltfDuplicates = LoadGltf;
 
-/// The triangle of one_triangle() in a second node, named "again".
+/// Makes the triangle of one_triangle() again in a second node, named "again".
 GltfFile two_nodes() {
     GltfFile file = one_triangle();
     file.node()["name"] = "once";
@@ -20,7 +20,7 @@ GltfFile two_nodes() {
     return file;
 }
 
-/// One mesh of these triangles.
+/// Makes one mesh of these triangles.
 GltfFile mesh_of(const std::vector<float>& positions) {
     GltfFile file = one_triangle();
     file.primitive()["attributes"]["POSITION"] = file.add_accessor(positions, f32, "VEC3");
@@ -91,7 +91,7 @@ TEST_F(LoadGltfDuplicates, OfACopiedLampOneShines) {
 
 // ---- Which one is kept ----
 
-/// Triangles at one place with these materials, after the duplicates are left out.
+/// Returns what is kept of triangles with these materials at one position.
 Scene kept_of(const std::vector<common::Material>& materials) {
     Scene scene;
     tests::Mesh mesh{"triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {}, {}, 1, {{0, 1, 2}}};

@@ -1,4 +1,4 @@
-// glTF loader: files that are refused, and with which words.
+// glTF loader: files that are refused, and the words of the error.
 #include "tests/support/load_gltf.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// Files whose scenes lie far from their origin, as buildings in map coordinates do.
+// Tests scenes that are far from the origin, such as buildings in map coordinates.
 #include "tests/support/load_gltf.h"
 
 namespace {
@@ -8,7 +8,7 @@ using Imath::V3d;
 
 using LoadGltfFar = LoadGltf;
 
-/// A triangle of 1 m whose node is at `place`, with a lamp of the same node and a camera beside it.
+/// Makes a triangle of 1 m whose node is at `place`, with a lamp on the same node and a camera beside it.
 GltfFile triangle_at(const std::array<double, 3>& place) {
     GltfFile file = one_triangle();
     file.document["extensionsUsed"] = {"KHR_lights_punctual"};
@@ -23,7 +23,7 @@ GltfFile triangle_at(const std::array<double, 3>& place) {
 }
 
 TEST_F(LoadGltfFar, IsMovedNearItsOrigin) {
-    // The last is where a float has no metres left.
+    // At the last place, floats cannot resolve metres.
     for (const std::array<double, 3> place :
          {std::array{500'000.3, 0.0, -5'600'000.7}, std::array{0.0, 12'345.6, 0.0},
           std::array{3e9 + 0.3, -7e9, 1e9}}) {
@@ -31,7 +31,7 @@ TEST_F(LoadGltfFar, IsMovedNearItsOrigin) {
         EXPECT_NE(scene.origin, V3d(0));
         EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
         const V3d at(place[0], place[1], place[2]);
-        const double digits = 5e-15 * at.length();  // of doubles, and of floats where there were no metres
+        const double digits = 5e-15 * at.length();  // of doubles, and of floats that cannot hold metres
         ASSERT_EQ(scene.triangle.size(), 1u);
         const std::array<V3d, 3> local = {V3d(0, 0, 0), V3d(1, 0, 0), V3d(0, 1, 0)};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -41,13 +41,13 @@ TEST_F(LoadGltfFar, IsMovedNearItsOrigin) {
         EXPECT_LT((scene.origin + V3d(scene.point_light[0].position) - at).length(), 1e-6 + digits);
         EXPECT_LT((scene.origin + V3d(scene.camera[0].eye) - at - V3d(0.25, 0.5, 3)).length(), 1e-6 + digits);
         EXPECT_LT(scene.bounds.max.length(), 256 * scene.diagonal());
-        // Nothing that a triangle has may depend on where it is.
+        // No property of a triangle may depend on its position.
         EXPECT_EQ(scene.geometric_normal[0], Vec3(0, 0, 1));
     }
 }
 
 TEST_F(LoadGltfFar, StaysWhereItIsWithin256Diagonals) {
-    // A diagonal of 1.41 m, so up to 362 m.
+    // The diagonal is 1.41 m, so distances up to 362 m count as near.
     const Scene near = load(triangle_at({360, 0, 0})), far = load(triangle_at({364, 0, 0}));
     EXPECT_EQ(near.origin, V3d(0));
     EXPECT_EQ(triangles_of(near)[0][0], Vec3(360, 0, 0));
@@ -56,7 +56,7 @@ TEST_F(LoadGltfFar, StaysWhereItIsWithin256Diagonals) {
 }
 
 TEST_F(LoadGltfFar, PositionsMayBeFarThemselves) {
-    // Map coordinates in the vertex buffer, to the half metre that floats have there.
+    // Map coordinates in the vertex buffer, where floats resolve half metres.
     GltfFile file = one_triangle();
     const std::vector<float> position = {500'000,    0,       -5'600'000, 500'010,      0,
                                          -5'600'000, 500'000, 10,         -5'600'000.5f};

@@ -1,4 +1,4 @@
-// glTF loader: where the bytes come from, and what they are compressed with.
+// glTF loader: sources of the bytes, and their compression.
 #include "tests/support/load_gltf.h"
 
 namespace {

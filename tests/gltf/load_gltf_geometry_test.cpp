@@ -61,7 +61,7 @@ TEST_F(LoadGltfGeometry, ReadsIndicesOfEveryType) {
     }
 }
 
-/// Four corners of the unit square, in the order of a strip.
+/// Makes the four corners of the unit square, in the order of a strip.
 GltfFile square(int mode) {
     GltfFile file = one_triangle();
     file.primitive()["attributes"]["POSITION"] =
@@ -121,7 +121,7 @@ TEST_F(LoadGltfGeometry, ReadsBothSetsOfTextureCoordinates) {
 
 TEST_F(LoadGltfGeometry, ReadsNormalizedBytesAsTextureCoordinates) {
     GltfFile file = one_triangle();
-    // Rows of two bytes padded to four.
+    // Rows of two bytes, padded to four.
     const int texcoord =
         file.add_accessor<std::uint8_t>({0, 0, 9, 9, 255, 51, 9, 9, 0, 255, 9, 9}, u8, "VEC2");
     file.accessor(texcoord).update({{"normalized", true}, {"count", 3}});
@@ -271,7 +271,7 @@ TEST_F(LoadGltfNodes, TurnsMirroredTrianglesRound) {
     expect_near(scene.geometric_normal[0], {0, 0, 1});
     expect_near(scene.normal[0], {0, 0, 1});
     expect_near(scene.tangent[0], {-1, 0, 0});
-    // The bitangent of the file is +y and stays that.
+    // The bitangent in the file is +y and must remain so.
     expect_near(scene.normal[0].cross(scene.tangent[0]) * scene.tangent_sign[0], {0, 1, 0});
 }
 

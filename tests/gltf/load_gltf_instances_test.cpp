@@ -1,4 +1,4 @@
-// glTF loader: which nodes are drawn, how often, and primitives that share what they are made of.
+// glTF loader: which nodes are drawn and how often, and primitives that share accessors.
 #include <numbers>
 
 #include "tests/support/load_gltf.h"
@@ -177,11 +177,11 @@ TEST_F(LoadGltfVisibility, LeavesOutWhatHasNoDirectionUnderANodeThatIsScaledToNo
         EXPECT_TRUE(scene.directional_light.empty());
         EXPECT_TRUE(has_warning(scene, "lights left out"));
     }
-    // Flattened along the direction that they look in: nothing is left of it.
+    // Scaled to zero along their viewing direction, so no direction remains.
     file.node(1)["scale"] = {1, 1, 0};
     EXPECT_TRUE(has_warning(load(file), "lights left out"));
     EXPECT_TRUE(has_warning(load(file), "cameras left out"));
-    // Flattened across it: a direction, but for the camera no upwards.
+    // Scaled to zero across it: a direction remains, but the camera's up vector does not.
     file.node(1)["scale"] = {1, 0, 1};
     EXPECT_EQ(load(file).directional_light.size(), 1u);
     EXPECT_TRUE(has_warning(load(file), "cameras left out"));
@@ -189,8 +189,8 @@ TEST_F(LoadGltfVisibility, LeavesOutWhatHasNoDirectionUnderANodeThatIsScaledToNo
 
 // ---- Shared accessors ----
 
-/// `count` primitives of one triangle each, which share a list of very many vertices, nearly all of them
-/// unused, and one buffer view of indices.
+/// Makes `count` primitives of one triangle each, which share one buffer view of indices and a very long list
+/// of vertices, nearly all of them unused.
 GltfFile shared_vertices(std::uint16_t count) {
     GltfFile file = one_triangle();
     std::vector<std::uint16_t> places;
@@ -223,7 +223,7 @@ GltfFile shared_vertices(std::uint16_t count) {
 }
 
 TEST_F(LoadGltfSharedAccessors, CostWhatIsUsedOfThem) {
-    // All vertices for each primitive would be a terabyte to read.
+    // Reading all vertices for each primitive would mean reading a terabyte.
     const Scene scene = load(shared_vertices(2000));
     ASSERT_EQ(scene.instance.size(), 2000u);
     EXPECT_EQ(scene.position.size(), 6000u);

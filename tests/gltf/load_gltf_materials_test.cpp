@@ -409,7 +409,8 @@ TEST_F(LoadGltfTextures, WarnsAboutWhatItCannotHonour) {
     EXPECT_TRUE(has_warning(scene, "TEXCOORD_0, which is missing"));
 }
 
-/// Textured triangle whose base colour, normal and emissive texture all have this KHR_texture_transform.
+/// Makes a textured triangle whose base colour, normal and emissive texture all have this
+/// KHR_texture_transform.
 GltfFile with_transform(const Json& transform) {
     GltfFile file = textured_triangle();
     const Json info = {{"index", 0}, {"extensions", {{"KHR_texture_transform", transform}}}};
@@ -425,19 +426,19 @@ TEST_F(LoadGltfTextures, MovesTextureCoordinates) {
     constexpr double quarter = std::numbers::pi / 2;
     struct Case {
         Json transform;
-        Vec2 of_origin, of_u, of_v;  // where (0, 0), (1, 0) and (0, 1) go
+        Vec2 of_origin, of_u, of_v;  // images of (0, 0), (1, 0) and (0, 1)
     };
     const std::vector<Case> cases = {
         {Json::object(), {0, 0}, {1, 0}, {0, 1}},
         {{{"offset", {0.5, -2}}}, {0.5f, -2}, {1.5f, -2}, {0.5f, -1}},
         {{{"scale", {2, -3}}}, {0, 0}, {2, 0}, {0, -3}},
-        // Counter-clockwise with u to the right and v down: u turns to -v.
+        // Counter-clockwise with u to the right and v down: u is rotated to -v.
         {{{"rotation", quarter}}, {0, 0}, {0, -1}, {1, 0}},
         {{{"rotation", -quarter}}, {0, 0}, {0, 1}, {-1, 0}},
         {{{"rotation", 2 * quarter}}, {0, 0}, {-1, 0}, {0, -1}},
-        // The example of the extension's text: the lower left quarter of the image, turned clockwise.
+        // The example in the extension's text: the lower left quarter of the image, rotated clockwise.
         {{{"offset", {0, 1}}, {"rotation", quarter}, {"scale", {0.5, 0.5}}}, {0, 1}, {0, 0.5f}, {0.5f, 1}},
-        // Scaled before it is turned.
+        // Scaling comes before rotation.
         {{{"rotation", quarter}, {"scale", {2, 3}}}, {0, 0}, {0, -2}, {3, 0}},
     };
     for (const Case& c : cases) {
@@ -505,7 +506,7 @@ TEST_F(LoadGltfLights, ReadsPointLights) {
 
 TEST_F(LoadGltfLights, ReadsSpotLights) {
     const double half = std::numbers::sqrt2 / 2;
-    // A quarter turn about x makes -z into +y.
+    // A quarter turn about x maps -z to +y.
     const Json pose = {{"rotation", {half, 0, 0, half}}, {"translation", {1, 2, 3}}};
     const Json cones = {{"innerConeAngle", 0.25}, {"outerConeAngle", 0.5}};
     Scene scene = load(lit_triangle({{"type", "spot"}, {"spot", cones}, {"intensity", 2}}, pose));
@@ -573,7 +574,7 @@ TEST_F(LoadGltfCameras, ReadsPerspectiveCamerasWithoutScale) {
     ASSERT_EQ(scene.camera.size(), 1u);
     EXPECT_EQ(scene.camera[0].name, "eye");
     EXPECT_EQ(scene.camera[0].eye, Vec3(1, 2, 3));
-    // A quarter turn about y makes -z into -x.
+    // A quarter turn about y maps -z to -x.
     expect_near(scene.camera[0].forward, {-1, 0, 0});
     expect_near(scene.camera[0].up, {0, 1, 0});
     EXPECT_FLOAT_EQ(scene.camera[0].vertical_fov, 0.5f);

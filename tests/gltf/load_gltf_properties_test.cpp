@@ -1,5 +1,5 @@
-// Every property that glTF 2.0 and the ratified extensions of Khronos name: it is drawn, changes nothing that
-// is to be seen, is warned about or makes the file refused. Nothing is ignored in silence.
+// Tests every property of glTF 2.0 and of the ratified extensions of Khronos. Each one is drawn, has no
+// visible effect, causes a warning, or makes the file refused. None is ignored silently.
 //
 // Sources: the "Properties Reference" of the glTF 2.0 specification, section 5, in its order, and the
 // extensions' own specifications.
@@ -64,7 +64,7 @@ TEST_F(GltfProperties, BuffersAndTheirViews) {
 
 TEST_F(GltfProperties, Cameras) {
     const Json orthographic = {{"xmag", 1}, {"ymag", 1}, {"znear", 0}, {"zfar", 1}};
-    // A picture has the shape that it is asked for, and shows everything in front of the eye.
+    // The picture's shape comes from the command, and it shows everything in front of the camera.
     check({{"/cameras/0/type",
             "orthographic",
             warned,

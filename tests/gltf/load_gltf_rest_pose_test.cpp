@@ -1,4 +1,4 @@
-// glTF loader: morph targets and skins as they are where no animation plays.
+// glTF loader: morph targets and skins in the pose without animation.
 #include <numbers>
 
 #include "tests/support/load_gltf.h"
@@ -12,8 +12,8 @@ using LoadGltfSkins = LoadGltf;
 
 // ---- Morph targets ----
 
-/// One triangle with normals and two targets: the first lifts it by 1, the second moves it to the right by 2
-/// and turns its normals over.
+/// Makes one triangle with normals and two targets: the first lifts it by 1, the second moves it to the right
+/// by 2 and inverts its normals.
 GltfFile morphed_triangle() {
     GltfFile file = one_triangle();
     const int up = file.add_accessor<float>({0, 0, 1, 0, 0, 1, 0, 0, 1}, f32, "VEC3");
@@ -132,9 +132,9 @@ TEST_F(LoadGltfMorphTargets, WarnOfWeightsThatHaveNone) {
 
 // ---- Skins ----
 
-/// One triangle whose corners go with the joints 1, 2 and both of them. Joint 1 is moved up by 5; joint 2
-/// turns by 90 degrees about z; both have been bound one metre to the right of the origin. The mesh's own
-/// node is far away.
+/// Makes one triangle whose corners follow joint 1, joint 2 and both. Joint 1 is moved up by 5; joint 2 is
+/// rotated by 90 degrees about z. Both were bound one metre to the right of the origin. The mesh's own node
+/// is far away.
 GltfFile skinned_triangle() {
     GltfFile file = one_triangle();
     Json& attributes = file.primitive()["attributes"];
@@ -162,7 +162,7 @@ TEST_F(LoadGltfSkins, AreInThePoseOfTheirJoints) {
     ASSERT_EQ(scene.triangle.size(), 1u);
     expect_near(triangles_of(scene)[0][0], {0, 0, 5});
     expect_near(triangles_of(scene)[0][1], {1, 0, 0});
-    // (0, 1, 0): half of (0, 1, 5) and half of (0, -1, 0).
+    // (0, 1, 0) becomes half of (0, 1, 5) and half of (0, -1, 0).
     expect_near(triangles_of(scene)[0][2], {0, 0, 2.5f});
     expect_near(scene.normal[0], {0, 1, 0});
     expect_near(scene.normal[1], {-1, 0, 0});
@@ -185,7 +185,7 @@ TEST_F(LoadGltfSkins, HaveMoreThanFourJointsAndWeightsOfAnySum) {
     attributes["WEIGHTS_1"] = weights;
     const Scene scene = load(file);
     expect_near(triangles_of(scene)[0][0], {0.5f, -0.5f, 2.5f});
-    // A quarter of (0, 1, 5) and three of (0, -1, 0).
+    // It becomes a quarter of (0, 1, 5) and three quarters of (0, -1, 0).
     expect_near(triangles_of(scene)[0][2], {0, -0.5f, 1.25f});
 }
 

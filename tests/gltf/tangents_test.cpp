@@ -1,4 +1,4 @@
-// glTF loader: tangents for normal maps to which a file gives none.
+// glTF loader: tangents for normal maps of files without tangents.
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -12,7 +12,7 @@ using namespace gltf_text;
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// PNG of one pixel, 230, 160, 200: a normal that leans along u.
+/// Returns a PNG of one pixel, 230, 160, 200: a normal that is tilted along u.
 Bytes leaning_png() {
     return {0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48,
             0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x02, 0x00, 0x00,
@@ -26,7 +26,7 @@ struct Vertex {
     Vec2 uv;
 };
 
-/// A mesh with a normal map in the image file "leaning.png".
+/// Makes a mesh with a normal map in the image file "leaning.png".
 GltfFile mapped(const std::vector<Vertex>& vertices, const std::vector<std::uint32_t>& indices) {
     std::vector<float> position, normal, uv;
     for (const Vertex& v : vertices) {
@@ -51,7 +51,7 @@ GltfFile mapped(const std::vector<Vertex>& vertices, const std::vector<std::uint
     return file;
 }
 
-/// Texture coordinates in which u grows along `degrees` from +x towards +y, and v down from it.
+/// Returns texture coordinates in which u grows along `degrees` from +x towards +y, with v downwards.
 Vec2 turned(float x, float y, float degrees, bool is_mirrored = false) {
     const float c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
     return {c * x + s * y, (is_mirrored ? 1.0f : -1.0f) * (c * y - s * x)};
@@ -61,8 +61,8 @@ Vec3 direction(float degrees) {
     return {std::cos(degrees * pi / 180), std::sin(degrees * pi / 180), 0};
 }
 
-/// Two triangles, 0 1 2 and 0 2 3, in the plane z = 0, of 90 and 45 degrees at the origin. The first has
-/// u = x and v = -y.
+/// Makes two triangles, 0 1 2 and 0 2 3, in the plane z = 0, with angles of 90 and 45 degrees at the origin.
+/// The first has u = x and v = -y.
 std::vector<Vertex> fan(const Vec2& last_uv) {
     const Vec3 up(0, 0, 1);
     return {{{0, 0, 0}, up, {0, 0}},
@@ -71,7 +71,7 @@ std::vector<Vertex> fan(const Vec2& last_uv) {
             {{-1, 1, 0}, up, last_uv}};
 }
 
-/// The tangent that the scene's triangles have at the corner at `position`, by their sign.
+/// Returns the tangents of the triangles' corners at `position`, by their sign.
 std::map<float, Vec3> tangents_at(const Scene& scene, const Vec3& position) {
     std::map<float, Vec3> tangents;
     for (const auto& triangle : scene.triangle) {
@@ -90,13 +90,13 @@ class TangentsOfMaps : public LoadGltf {
 
 TEST_F(TangentsOfMaps, AreMeansByAngle) {
     const Scene scene = load(mapped(fan({-1, -2}), {0, 1, 2, 0, 2, 3}));
-    // In the second, u = x and v = x - y: along (1, 1, 0) u grows and v stays.
+    // In the second, u = x and v = x - y: along (1, 1, 0), u grows and v is constant.
     const Vec3 second = Vec3(1, 1, 0).normalized();
     const Vec3 mean = (Vec3(1, 0, 0) * (pi / 2) + second * (pi / 4)).normalized();
     const auto tangents = tangents_at(scene, {0, 0, 0});
     ASSERT_EQ(tangents.size(), 1u);
     expect_near(tangents.at(1), mean);
-    // Corners of one triangle alone have its own.
+    // Corners of a single triangle have its own tangent.
     expect_near(tangents_at(scene, {1, 0, 0}).at(1), {1, 0, 0});
     expect_near(tangents_at(scene, {-1, 1, 0}).at(1), second);
     EXPECT_EQ(scene.position.size(), 4u) << "no vertex has become two";
@@ -114,7 +114,7 @@ TEST_F(TangentsOfMaps, LieAcrossTheNormal) {
 }
 
 TEST_F(TangentsOfMaps, AreNotSharedAcrossMirrorsOrCreases) {
-    // u runs away from the y axis on both sides.
+    // u grows away from the y axis on both sides.
     const Vec3 up(0, 0, 1);
     std::vector<Vertex> vertices = {{{0, 0, 0}, up, {0, 0}},
                                     {{0, 1, 0}, up, {0, -1}},
@@ -126,7 +126,7 @@ TEST_F(TangentsOfMaps, AreNotSharedAcrossMirrorsOrCreases) {
     EXPECT_TRUE(at_seam.empty() || at_seam.count(1) == 0 || at_seam.at(1) == Vec3(0))
         << "each triangle's own derivatives say the same";
 
-    // A third triangle makes the right side uneven; now the vertices on the seam are two each.
+    // A third triangle makes the right side uneven, so the vertices on the seam are duplicated.
     vertices.push_back({{1, 1, 0}, up, {1.5f, -1}});
     std::vector<std::uint32_t> uneven = indices;
     uneven.insert(uneven.end(), {1, 2, 4});
@@ -141,13 +141,13 @@ TEST_F(TangentsOfMaps, AreNotSharedAcrossMirrorsOrCreases) {
 }
 
 TEST_F(TangentsOfMaps, GoByEdgesNotByCorners) {
-    // Two triangles that touch in a point have nothing to do with each other there.
+    // Two triangles that only touch in a point do not affect each other there.
     const Vec3 up(0, 0, 1);
     const auto at = [&](float x, float y, float degrees) {
         return Vertex{{x, y, 0}, up, turned(x, y, degrees)};
     };
     std::vector<Vertex> vertices = {at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(-1, 0, 40), at(-1, -1, 40)};
-    // Another, which has an edge in common with the first and turns its tangent.
+    // Another one has an edge in common with the first and rotates its tangent.
     vertices.push_back({{0, 1, 0}, up, {0, -1.5f}});
     const Scene scene = load(mapped(vertices, {0, 1, 2, 0, 3, 4, 0, 2, 5}));
     std::vector<Vec3> at_origin;
@@ -182,7 +182,8 @@ TEST_F(TangentsOfMaps, AreNotMadeForFlatWalls) {
     EXPECT_EQ(scene.tangent_sign, std::vector<float>(scene.position.size(), 1.0f));
 }
 
-/// A sphere of n by 2 n cells about the origin; its texture coordinates slant so that no cell's are square.
+/// Makes a sphere of n by 2 n cells about the origin, with sheared texture coordinates, so that no cell is
+/// square in them.
 GltfFile sphere(std::uint32_t n, const Json& node = Json::object()) {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
@@ -204,8 +205,8 @@ GltfFile sphere(std::uint32_t n, const Json& node = Json::object()) {
     return file;
 }
 
-/// The largest angle, in degrees, between the normals that two triangles have at the middle of an edge in
-/// common. Where the texture coordinates begin anew there is a seam by rights.
+/// Returns the largest angle, in degrees, between the normals of two triangles at the middle of a common
+/// edge. Edges where the texture coordinates are discontinuous are legitimate seams.
 float largest_seam(const Scene& scene) {
     std::map<std::array<float, 2>, Vec3> normal_at;
     float largest = 0;
@@ -268,7 +269,7 @@ TEST_F(TangentsOfMaps, GoWithMovedTextureCoordinates) {
     const Scene scene = load(moved), plain = load(sphere(6));
     const common::TextureUse& use = scene.material[0].normal_texture;
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t) {
-        // Against the derivatives at the middle of the triangle; the mesh is coarse.
+        // Compares with the derivatives at the middle of the triangle; the mesh is coarse.
         const auto [a, b, c] = scene.triangle[t];
         const auto& uv = scene.texcoord[0];
         const Vec2 to_b = use.transform(uv[b]) - use.transform(uv[a]),
@@ -304,7 +305,7 @@ TEST_F(TangentsOfMaps, AreMadeBeforeANodeStretchesThem) {
 }
 
 TEST_F(TangentsOfMaps, SurviveAnyCoordinates) {
-    // Positions that are one, coordinates that overflow, triangles without area.
+    // Coinciding positions, coordinates that overflow, and triangles without area.
     std::vector<Vertex> vertices = fan({3e38f, -3e38f});
     vertices.push_back(vertices[0]);
     GltfFile file = mapped(vertices, {0, 1, 2, 0, 2, 3, 0, 4, 1, 1, 1, 2, 0, 0, 0});
@@ -318,7 +319,7 @@ TEST_F(TangentsOfMaps, SurviveAnyCoordinates) {
 }
 
 TEST_F(TangentsOfMaps, OfManyTrianglesAtOneVertexOrEdgeTakeNoTime) {
-    // As many as make anything that grows with their square take minutes.
+    // So many that anything of quadratic cost would take minutes.
     constexpr std::uint32_t count = 50000;
     std::vector<Vertex> vertices = {{{0, 0, 0}, {0, 0, 1}, {0, 0}}, {{0, 1, 0}, {0, 0, 1}, {0, -1}}};
     std::vector<std::uint32_t> indices;

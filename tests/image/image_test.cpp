@@ -1,4 +1,4 @@
-// How image files keep their values.
+// Tests how image files store their values.
 #include "common/image/image.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 using common::Image;
 using gltf_text::TemporaryDirectory;
 
-/// Values from a quarter of `scale` to one and a quarter of it, in three channels.
+/// Makes values from a quarter of `scale` to one and a quarter of it, in three channels.
 Image ramp(float scale) {
     Image image{64, 32, {"R", "G", "B"}, {}};
     for (std::size_t i = 0; i < 3 * image.pixel_count(); ++i)
@@ -22,7 +22,7 @@ Image ramp(float scale) {
     return image;
 }
 
-/// relMSE of what a file gives back, as diff has it.
+/// Returns the relMSE of an image that is written and read again, as diff computes it.
 double loss(const Image& image) {
     const TemporaryDirectory folder;
     common::write_exr(folder.path() / "a.exr", image, {});
@@ -58,7 +58,7 @@ TEST(Halves, MayLoseWhatIsNothingBesideTheRest) {
     Image image = ramp(1);
     image.values[5] = 1e-8f;
     EXPECT_TRUE(common::fits_in_halves(image));
-    // In a channel of its own it is all there is.
+    // In a channel of its own, such a small value is the whole signal.
     for (std::size_t p = 0; p < image.pixel_count(); ++p) image.at(p, 2) = 1e-8f;
     EXPECT_FALSE(common::fits_in_halves(image));
 }

@@ -27,8 +27,8 @@ Scene lit_box(const Rgb& albedo) {
 
 constexpr std::size_t texels_wanted = 10'000;
 
-/// Flux that each block of photons brings to the walls, W times the number emitted: independent, for the
-/// error.
+/// The flux that each block of photons brings to the walls, W times the number emitted. Blocks are
+/// independent, which gives the error.
 struct BlockFlux {
     std::array<Sample, 3> channel;
     void consume(std::span<const HitBatch> wave) {
@@ -49,7 +49,7 @@ Imath::V3d flux_in(const PhotonStorage& storage) {
 
 using FluxModel = shlm::TexelModel<2, shlm::ShWeight::flux>;
 
-/// The first number of these sums is the flux times Y00.
+/// Returns the flux from the first number of these sums, which is the flux times Y00.
 Imath::V3d flux_in(const shlm::Accumulator<FluxModel>& accumulator) {
     Imath::V3d sum(0, 0, 0);
     for (std::size_t i = 0; i < accumulator.sums().size(); ++i) {
@@ -100,8 +100,8 @@ TEST(Energy, BlackBoxKeepsThePower) {
     expect_multiplied_power(Rgb(0, 0, 0));
 }
 
-/// A box with a wall that has no lightmap coordinates, and two plates inside: one shows its front only, one
-/// both faces.
+/// Makes a box with a wall that has no lightmap coordinates, and two plates inside, one of them single-sided
+/// and one double-sided.
 Scene room_with_trouble() {
     Scene scene;
     const auto walls = box_walls({-1, -1, -1}, {1, 1, 1});
@@ -159,7 +159,7 @@ TEST(Energy, LightMapCountsWhatItCannotStore) {
 }
 
 TEST(Energy, MirrorsAndGlassTakeNothingFromTheBalance) {
-    // A mirror and a clear glass ball absorb nothing: the walls get the same.
+    // A mirror and a clear glass ball absorb nothing, so the walls get the same flux.
     constexpr std::uint64_t seed = 4;
     Scene scene = lit_box(Rgb(0.5f, 0.5f, 0.5f));
     add(scene, sphere({-0.5f, -0.5f, -0.5f}, 0.4f, 2), mirror());
@@ -172,7 +172,7 @@ TEST(Energy, MirrorsAndGlassTakeNothingFromTheBalance) {
         << "seed " << seed;
 }
 
-/// One good hit, and one for each way in which a hit can be broken.
+/// Makes one valid hit, and one for each way in which a hit can be invalid.
 HitBatch broken_hits() {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
                     inf = std::numeric_limits<float>::infinity();

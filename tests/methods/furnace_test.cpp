@@ -1,6 +1,6 @@
-// A closed box whose walls all emit radiance 1 and reflect half: radiance 2 everywhere, irradiance 2 pi on
-// every wall. A plane tilted by t gets light from the part (1 + cos t) / 2 of its hemisphere: the rest lies
-// behind the wall.
+// A furnace test: the walls of a closed box all emit radiance 1 and reflect half. Radiance is 2 everywhere,
+// and irradiance is 2 pi on every wall. A plane tilted by t sees the fraction (1 + cos t) / 2 of its
+// hemisphere; the rest is behind the wall.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -36,10 +36,10 @@ using FluxModel = shlm::TexelModel<2, shlm::ShWeight::flux>;
 struct Maps {
     photonmap::PhotonMap<common::FlannIndex> photons;
     shlm::HarmonicMap<shlm::PaperModel> radiance;
-    shlm::HarmonicMap<FluxModel> flux;  ///< with the weight of the paper read literally
+    shlm::HarmonicMap<FluxModel> flux;  ///< with the weight of the paper taken literally
 };
 
-/// The maps of one and the same run.
+/// Makes all maps from the same run.
 Maps make_maps() {
     static const shlm::PreparedTexels texels(furnace(), shlm::find_lightmap_uv(furnace()), 2400);
     photonmap::FlannPhotonSink photons(
@@ -57,8 +57,8 @@ const Maps& maps() {
     return made;
 }
 
-/// Irradiance, red, at random points on the walls, no nearer than `margin` to an edge, tilted every which
-/// way.
+/// Returns the irradiance in the red channel at random points on the walls, at least `margin` from an edge,
+/// tilted in random directions.
 template <class Map>
 Sample irradiance_of(const Map& map, double tilt, float margin, int queries) {
     std::mt19937 engine(static_cast<unsigned>(seed));
@@ -82,9 +82,9 @@ TEST(Furnace, PhotonMapIsRightAtEveryTilt) {
     }
 }
 
-/// For the mean over the light map: weights 1 / cos, clamped at 1e-3, have a second moment of 14.8 and a mean
-/// of 2. With the harmonics at a tilt and with several hits on a path that comes to less than 10 times the
-/// squared mean for each hit.
+/// Bounds the mean over the light map. Weights 1 / cos, clamped at 1e-3, have a second moment of 14.8 and a
+/// mean of 2. With the harmonics at a tilt and several hits per path, the variance per hit is below 10 times
+/// the squared mean.
 double light_map_bound(double expected) {
     return expected * std::max(tolerance, z_for(1e-5) * std::sqrt(10.0 / static_cast<double>(hit_count)));
 }
@@ -99,7 +99,7 @@ TEST(Furnace, LightMapIsRightAtEveryTilt) {
 }
 
 TEST(Furnace, LightMapWithoutTheCosineReadsTwoThirds) {
-    // The integral of 2 x k2(x) over the hemisphere, k2 = (3 + 16 x + 15 x^2) / 32.
+    // The expected value uses the integral of 2 x k2(x) over the hemisphere, k2 = (3 + 16 x + 15 x^2) / 32.
     const double expected = 2 * pi * 2 * (3.0 / 2 + 16.0 / 3 + 15.0 / 4) / 32;
     EXPECT_NEAR(expected / (2 * pi), 0.6615, 1e-4);
     const Sample sample = irradiance_of(maps().flux, 0, 0, light_map_queries);
@@ -107,7 +107,7 @@ TEST(Furnace, LightMapWithoutTheCosineReadsTwoThirds) {
 }
 
 TEST(Furnace, EveryTexelIsRight) {
-    // Each texel alone, within its own noise, in the corners of the box too.
+    // Tests each texel alone, within its own noise, also in the corners of the box.
     const double hits_per_texel = static_cast<double>(hit_count) / 2400;
     const double bound = z_for(1e-5 / 2400) * std::sqrt(10.0 / hits_per_texel);
     for (const auto& texel : maps().radiance.texels()) {

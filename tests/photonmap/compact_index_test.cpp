@@ -26,7 +26,7 @@ struct Numbered {
     std::uint32_t number;
 };
 
-/// The index, and which point is at which of its places.
+/// The index, and the number of the point at each of its places.
 struct Built {
     CompactIndex index;
     std::vector<std::uint32_t> number_at;
@@ -48,7 +48,7 @@ Built build(const std::vector<Vec3>& points) {
 using Accept = std::function<bool(std::uint32_t)>;
 const Accept all = [](std::uint32_t) { return true; };
 
-/// By sorting all the places that are taken.
+/// Finds the expected points by sorting all places that are occupied.
 std::vector<Neighbour> expected_nearest(const Built& built, const std::vector<Vec3>& points,
                                         const Vec3& query, std::size_t k, float radius_sq,
                                         const Accept& accept) {
@@ -90,7 +90,7 @@ std::vector<Neighbour> all_within(const CompactIndex& index, const Vec3& query, 
     return found;
 }
 
-/// Sizes around those of leaves, nodes and the grid's cells.
+/// Returns sizes around those of leaves, nodes and the grid's cells.
 std::vector<std::size_t> sizes() {
     return {0, 1, 2, 31, 32, 33, 49, 50, 51, 64, 65, 511, 512, 513, 5000, count_for(70'000, 17'000)};
 }
@@ -169,7 +169,7 @@ TEST(CompactIndex, IsExactForCoincidentPoints) {
 }
 
 TEST(CompactIndex, IsExactOnACoarseLattice) {
-    // Many points in each place, and many places at each distance.
+    // Many points coincide, and many have equal distances.
     expect_exact_for_all_sizes(6, [](std::mt19937& e) {
         return Vec3(static_cast<float>(e() % 7), static_cast<float>(e() % 7), static_cast<float>(e() % 2));
     });

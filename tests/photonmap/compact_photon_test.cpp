@@ -51,7 +51,7 @@ TEST(PackedPhoton, PutsItsPartsTogether) {
     EXPECT_LE(angle_between(light.direction(), direction), std::sqrt(4.5) / 4095 + 1e-6);
 }
 
-/// A sphere and a box in a box, lit from within: all kinds of normals, light from everywhere.
+/// Makes a sphere and a box in a box, lit from inside: all kinds of normals, and light from all directions.
 const Scene& lit_room() {
     static const Scene made = [] {
         Scene scene = closed_box(diffuse(Rgb(0.7f, 0.5f, 0.3f)));
@@ -68,7 +68,7 @@ struct Maps {
     photonmap::CompactPhotonSink::Map compact;
 };
 
-/// Of the same photons.
+/// Makes both maps from the same photons.
 Maps both_maps(const photonmap::GatherSettings& settings, std::uint64_t seed) {
     const auto traced = [&](auto sink) {
         const common::TraceReport report =
@@ -79,7 +79,7 @@ Maps both_maps(const photonmap::GatherSettings& settings, std::uint64_t seed) {
             traced(photonmap::CompactPhotonSink(lit_room(), settings))};
 }
 
-/// Points on all surfaces, their shading normals up to 30 degrees off.
+/// Returns points on all surfaces, with shading normals up to 30 degrees off.
 std::vector<common::SurfacePoint> query_points(std::size_t count, unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<float> uniform(0, 1);
@@ -111,9 +111,9 @@ TEST(CompactPhotonMap, AgreesWithTheUnpackedOne) {
                 sum += relative;
             }
             // A photon's flux is rounded by at most 2^-10 of its largest channel, which is at most three
-            // times the mean; its direction by 5.2e-4 radians, which weighs it wrongly by that times the
-            // tangent of its incidence. That has a mean square of 12.8 under uniform light with the cosine
-            // clamped at 0.001. Errors of photons in one gather are no more alike than to add up.
+            // times the mean. Its direction is rounded by 5.2e-4 radians, which changes its weight by that
+            // times the tangent of its incidence. The tangent has a mean square of 12.8 in uniform light with
+            // the cosine clamped at 0.001. In the worst case the errors of all photons of a gather add up.
             const double per_photon = 3 * 0x1p-10 + std::sqrt(12.8) * std::sqrt(4.5) / 4095;
             const auto count = static_cast<double>(points.size());
             EXPECT_LE(std::sqrt(squares / count), per_photon);

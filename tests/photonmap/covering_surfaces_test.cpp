@@ -1,4 +1,4 @@
-// What lies over a point, and which photons count below it.
+// Tests which surfaces cover a point, and which photons count below them.
 #include "common/tracer/covering_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using photonmap::GatherSettings;
 
 constexpr float nothing = std::numeric_limits<float>::infinity();
 
-/// Horizontal, from (x, y) on, looking up.
+/// Makes a horizontal plate from (x, y) on, facing up.
 Mesh plate(float height, float x = -1, float y = -1, float width = 2, float depth = 2) {
     return quad({x, y, height}, {width, 0, 0}, {0, depth, 0});
 }
@@ -27,7 +27,7 @@ Scene scene_of(const std::vector<Mesh>& meshes) {
     return scene;
 }
 
-/// A scene and what covers what in it.
+/// A scene with its covering surfaces.
 struct Layers {
     Scene scene;
     common::RayScene rays;
@@ -36,13 +36,14 @@ struct Layers {
     explicit Layers(Scene made) : scene(std::move(made)), rays(scene), covers(rays) {}
     explicit Layers(const std::vector<Mesh>& meshes) : Layers(scene_of(meshes)) {}
 
-    /// Over the point at (s, t) of the quad whose first triangle this is, as seen from its front.
+    /// Returns the height above the point at (s, t) of the quad with this first triangle, as seen from its
+    /// front.
     [[nodiscard]] float height_over(std::uint32_t triangle, float s, float t) const {
         return covers.height_over(front_of(scene, on_quad(triangle, s, t)));
     }
 };
 
-/// A strip along y that goes along the floor from x = 0 to 1, bends up and back over itself in steps of 20
+/// Makes a strip along y. It follows the floor from x = 0 to 1, bends up and back over itself in steps of 20
 /// degrees, and ends flat at x = 0, `over` the floor.
 Mesh strip_bent_over_itself(float over) {
     const float radius = over / 2;
@@ -94,7 +95,7 @@ TEST(CoveringSurfaces, CountTheirMemory) {
     EXPECT_GE(layers.covers.bytes(), layers.scene.triangle.size() * sizeof(std::uint32_t));
 }
 
-/// Vertical photons of flux 1 on the quad whose first triangle this is, on a grid of 40 x 40.
+/// Adds vertical photons of flux 1 on the quad with this first triangle, on a grid of 40 x 40.
 void light(HitBatch& hits, const Scene& scene, std::uint32_t triangle) {
     for (int j = 0; j < 40; ++j)
         for (int i = 0; i < 40; ++i) {
@@ -124,7 +125,7 @@ GatherSettings within(const Scene& scene, double radius) {
 template <class Sink>
 class CoveredPhotonMap : public testing::Test {
   protected:
-    /// What a map of these photons reads at the front of (s, t) of a quad.
+    /// Returns what a map of these photons gives at the front of (s, t) of a quad.
     static float read(const Layers& layers, const HitBatch& hits, const GatherSettings& settings,
                       std::uint32_t triangle, float s, float t) {
         return map_of<Sink>(layers, hits, settings, true)
@@ -133,7 +134,7 @@ class CoveredPhotonMap : public testing::Test {
     }
 };
 
-// Those that find all photons.
+// The engines that find all photons.
 using Sinks = testing::Types<photonmap::FlannPhotonSink, photonmap::NanoflannPhotonSink,
                              photonmap::GridPhotonSink, photonmap::CompactPhotonSink>;
 class SinkNames {
@@ -169,7 +170,7 @@ TYPED_TEST(CoveredPhotonMap, ReadsThePanelBesideThePoint) {
 }
 
 TYPED_TEST(CoveredPhotonMap, ReadsWhatIsHigherButNotAsHighAsTheCover) {
-    // The next step, below a canopy over both.
+    // A step beside the floor, below a canopy over both.
     const Layers layers({plate(0, -1, -1, 1), plate(0.05f, 0, -1, 1), plate(0.2f)});
     const GatherSettings settings = within(layers.scene, 0.3);
     const HitBatch step = lit(layers.scene, {2}), all = lit(layers.scene, {2, 4});
@@ -178,7 +179,7 @@ TYPED_TEST(CoveredPhotonMap, ReadsWhatIsHigherButNotAsHighAsTheCover) {
     EXPECT_EQ(this->read(layers, all, settings, 0, 0.95f, 0.5f), expected);
 }
 
-/// Whether a map gives the same answers as one that looks at normals alone, at the front of each triangle.
+/// Expects a map to give the same answers, at the front of each triangle, as one that only tests normals.
 template <class Sink>
 void expect_the_same_everywhere(const Layers& layers, const GatherSettings& settings) {
     HitBatch hits;
@@ -202,7 +203,7 @@ void expect_the_same_everywhere(const Layers& layers, const GatherSettings& sett
     EXPECT_GT(sum, 0);
 }
 
-/// No two triangles have a vertex in common, and each stands a little off its neighbours.
+/// Returns the mesh with no shared vertices and each triangle slightly apart from its neighbours.
 Mesh torn(Mesh mesh) {
     Mesh soup;
     for (const common::TriangleVertices& corners : mesh.triangle) {
@@ -216,7 +217,7 @@ Mesh torn(Mesh mesh) {
     return soup;
 }
 
-/// The same triangles seen from the other side.
+/// Returns the same triangles with the opposite orientation.
 Mesh turned_inside_out(Mesh mesh) {
     for (common::TriangleVertices& corners : mesh.triangle) std::swap(corners[1], corners[2]);
     for (Vec3& normal : mesh.normal) normal = -normal;

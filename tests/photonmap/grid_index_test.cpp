@@ -27,7 +27,7 @@ std::vector<Vec3> in_order(const std::vector<Vec3>& points, const GridCells& cel
     return sorted;
 }
 
-/// Radii that are nothing, about right, larger than the scene, and no radii at all.
+/// Radii that are zero or tiny, about right, larger than the scene, and infinite.
 constexpr std::array radii = {0.0f, 1e-30f, 1e-6f, 0.02f, 0.3f, 5.0f, 1e9f, no_limit};
 
 TEST(GridIndex, FindsExactlyWhatBruteForceFinds) {
@@ -36,7 +36,7 @@ TEST(GridIndex, FindsExactlyWhatBruteForceFinds) {
             SCOPED_TRACE(testing::Message() << name << ", cells for " << radius);
             const GridCells cells(unsorted, radius);
             const auto points = in_order(unsorted, cells);
-            // Asked for the radius it was made for, and for one that has nothing to do with it.
+            // Queries have the radius that the index was made for, and an unrelated one.
             for (const float asked : {std::clamp(radius, 1e-6f, 5.0f), 0.1f})
                 expect_exact_sets(GridIndex(points, cells), points, asked, 2, query_count / 10);
         }
@@ -83,7 +83,7 @@ TEST(GridCells, TheOrderDoesNotDependOnTheThreads) {
         common::ThreadPool pool(threads);
         pool.run([&] { EXPECT_EQ(cells.order(points), expected); });
     }
-    // Every point once, cell after cell, in its old order within a cell.
+    // Every point must occur once, cell by cell, in its old order within a cell.
     std::vector<std::uint32_t> every = expected;
     std::sort(every.begin(), every.end());
     for (std::uint32_t i = 0; i < every.size(); ++i) ASSERT_EQ(every[i], i);
@@ -102,13 +102,13 @@ TEST(GridIndex, RefusesPointsInAnotherOrder) {
 
 TEST(GridIndex, RefusesWhatItsIndicesCannotCount) {
     const Vec3 point(0, 0, 0);
-    const std::span<const Vec3> too_many(&point, std::size_t{1} << 32);  // refused before it looks at one
+    const std::span<const Vec3> too_many(&point, std::size_t{1} << 32);  // refused before any point is read
     EXPECT_THROW(GridCells(too_many, 1), common::InputError);
     EXPECT_THROW(GridIndex(too_many, GridCells({}, 1)), common::InputError);
 }
 
-/// 2^31 points in one place, which are the same 12 MiB of memory again and again, and three behind them in
-/// another place.
+/// 2^31 points at one position, which map the same 12 MiB of memory repeatedly, followed by three points at
+/// another position.
 class ManyPoints {
   public:
     static constexpr std::size_t coincident = std::size_t{1} << 31, count = coincident + 3;

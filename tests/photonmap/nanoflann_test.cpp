@@ -48,7 +48,7 @@ TEST(NanoflannIndex, LeavesOutWhatLiesOnTheRadius) {
 
 TEST(NanoflannIndex, RefusesWhatItsIndicesCannotCount) {
     const Vec3 point(0, 0, 0);
-    const std::span<const Vec3> too_many(&point, std::size_t{1} << 32);  // refused before it looks at one
+    const std::span<const Vec3> too_many(&point, std::size_t{1} << 32);  // refused before any point is read
     EXPECT_THROW(NanoflannIndex{too_many}, common::InputError);
 }
 

@@ -17,8 +17,8 @@ using common::NearestSet;
 using common::Neighbour;
 using common::Vec3;
 
-/// Points on the faces of a box, as photons are: many share a coordinate. A tenth lies exactly on another
-/// point.
+/// Returns points on the faces of a box, where many share a coordinate, as photons do. A tenth coincides with
+/// another point.
 std::vector<Vec3> points_on_a_box(std::size_t count, unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<float> uniform(-1, 1);
@@ -33,7 +33,7 @@ std::vector<Vec3> points_on_a_box(std::size_t count, unsigned seed) {
     return points;
 }
 
-/// Where gathers are: on the faces, on the points themselves, and anywhere around.
+/// Returns a query like those of gathers: on the faces, on the points themselves, or anywhere around.
 Vec3 random_query(const std::vector<Vec3>& points, std::mt19937& engine) {
     std::uniform_real_distribution<float> uniform(-1.3f, 1.3f);
     Vec3 query(uniform(engine), uniform(engine), uniform(engine));
@@ -135,7 +135,8 @@ TEST(FlannIncrementalIndex, FindsNearlyAll) {
         done += some;
     }
     std::size_t found = 0, wanted = 0;
-    // Asked on the surfaces that the points lie on, as gathers are; elsewhere it finds fewer.
+    // Queries are on the surfaces that contain the points, like those of gathers; elsewhere the search finds
+    // fewer.
     const auto queries = points_on_a_box(query_count / 10, 14);
     for (const Vec3& query : queries) {
         const auto expected = sorted_nearest(points, query, 50, no_limit, common::accept_all);

@@ -22,8 +22,8 @@ constexpr double degrees = pi / 180;
 const Vec3 down(0, 0, -1);
 const Rgb white(1, 1, 1);
 
-/// A floor at z = 0 that shows both faces (triangles 0, 1), a wall at x = 0 (2, 3), and slopes that rise from
-/// x = 0 by 45 (4, 5) and 75 degrees (6, 7).
+/// A double-sided floor at z = 0 (triangles 0, 1), a wall at x = 0 (2, 3), and slopes that rise from x = 0 by
+/// 45 (4, 5) and 75 degrees (6, 7).
 const Scene& corner() {
     static const Scene made = [] {
         Scene scene;
@@ -51,12 +51,12 @@ GatherSettings nearest(std::size_t k, float max_radius, Kernel kernel = Kernel::
     return {NearestPhotons{k}, kernel, max_radius};
 }
 
-/// The floor from above.
+/// Returns a point of the floor, seen from above.
 common::SurfacePoint on_floor(const Vec3& position) {
     return {{0, 0, 0}, position, {0, 0, 1}, {0, 0, 1}, true};
 }
 
-/// Photons of flux 1 that fall straight onto the floor's square (0, 1)^2: a Poisson process.
+/// Makes photons of flux 1 that arrive vertically on the floor's square (0, 1)^2: a Poisson process.
 HitBatch poisson_photons(double density, std::mt19937_64& engine) {
     std::poisson_distribution<int> poisson(density);
     std::uniform_real_distribution<float> uniform(0, 1);
@@ -68,12 +68,12 @@ HitBatch poisson_photons(double density, std::mt19937_64& engine) {
     return hits;
 }
 
-/// Relative estimates at points whose gathers do not overlap: on a grid, several photons' reach from each
-/// other and from the square's border.
+/// Returns relative estimates at points whose gathers do not overlap: on a grid, several gather radii apart
+/// and away from the square's border.
 std::vector<double> estimates(std::size_t k, Kernel kernel, double max_radius_photons, std::uint64_t seed) {
     constexpr int side = 24, rounds = static_cast<int>(count_for(3, 1));
-    // Discs of k photons are 1 / 16 of a grid cell's area, on average; those of 10 k photons still lie in one
-    // cell.
+    // Discs of k photons have 1 / 16 of a grid cell's area on average; those of 10 k photons still fit into
+    // one cell.
     const double density = 16.0 * static_cast<double>(k) * side * side;
     const double max_radius = std::sqrt(max_radius_photons / (pi * density));
     std::mt19937_64 engine(seed);
@@ -100,8 +100,8 @@ Sample sample_of(const std::vector<double>& values) {
 TEST(PhotonMap, IsUnbiasedWithKMinusOneInTheNumerator) {
     constexpr std::uint64_t seed = 1;
     for (const std::size_t k : {3, 10, 50}) {
-        // The area of the k-th photon's disc follows a gamma distribution of shape k; (k - 1) / area has the
-        // mean 1 and the variance 1 / (k - 2).
+        // The area of the k-th photon's disc follows a gamma distribution of shape k. So (k - 1) / area has
+        // the mean 1 and the variance 1 / (k - 2).
         const Sample sample = sample_of(estimates(k, Kernel::disc, 10.0 * static_cast<double>(k), seed));
         const double error = std::sqrt(1 / static_cast<double>(k - 2) / static_cast<double>(sample.count()));
         EXPECT_NEAR(sample.mean(), 1, z_for(3e-5) * error) << "k " << k << ", seed " << seed;
@@ -112,7 +112,7 @@ TEST(PhotonMap, HasTheNoiseOfKMinusTwoPhotons) {
     constexpr std::uint64_t seed = 2;
     constexpr std::size_t k = 50;
     const Sample sample = sample_of(estimates(k, Kernel::disc, 500, seed));
-    // Moments of (k - 1) / X, X gamma distributed with shape k: (k - 1)^n / ((k - 1) ... (k - n)).
+    // The moments of (k - 1) / X, X gamma distributed with shape k, are (k - 1)^n / ((k - 1) ... (k - n)).
     const double m = k - 1, m2 = m / (k - 2), m3 = m2 * m / (k - 3), m4 = m3 * m / (k - 4);
     const double variance = m2 - 1, fourth = m4 - 4 * m3 + 6 * m2 - 3;
     EXPECT_NEAR(variance, 1.0 / (k - 2), 1e-12);
@@ -126,7 +126,8 @@ TEST(PhotonMap, EstimatesFollowTheGammaLaw) {
     const std::vector<double> values = estimates(k, Kernel::disc, 100, seed);
     std::array<std::uint64_t, bins> counts{};
     for (const double value : values) {
-        // The expected photons in the disc, and the probability of no more than that: of at least k events.
+        // The expected photons in the disc, and the probability of at most that many, which is that of at
+        // least k events.
         const double in_disc = (k - 1) / value;
         const double probability = 1 - chi_square_tail(2 * in_disc, 2 * k);
         ++counts[std::min(static_cast<std::size_t>(probability * bins), bins - 1)];
@@ -136,8 +137,9 @@ TEST(PhotonMap, EstimatesFollowTheGammaLaw) {
 }
 
 TEST(PhotonMap, IsUnbiasedWhetherOrNotItFindsKPhotons) {
-    // With about as many photons within max_radius as are asked for, half of the gathers use one rule and
-    // half the other: density * P(at least k - 1) from the one, density * P(at most k - 2) from the other.
+    // If about as many photons are within max_radius as are asked for, half of the gathers use one rule and
+    // half the other. The former contribute density * P(at least k - 1), the latter density * P(at most k -
+    // 2).
     constexpr std::uint64_t seed = 4;
     const Sample sample = sample_of(estimates(10, Kernel::disc, 10, seed));
     EXPECT_NEAR(sample.mean(), 1, z_for(1e-4) * sample.standard_error()) << "seed " << seed;
@@ -164,7 +166,7 @@ TEST(Kernel, HasTheMeanOneOverTheDisc) {
     }
 }
 
-/// Photons at these distances from the origin, on the floor.
+/// Makes photons at these distances from the origin, on the floor.
 HitBatch photons_at(const std::vector<float>& distances, const Vec3& direction = down,
                     std::uint32_t triangle = 0) {
     HitBatch hits;
@@ -214,7 +216,7 @@ TEST(PhotonMap, TakesAllPhotonsWithinAFixedRadius) {
 }
 
 TEST(PhotonMap, AddsUpManyEqualPhotons) {
-    // Each could round by half a unit of a float's last place, and in floats they are off by 1 part in 300.
+    // Each add could round by half a unit of a float's last place; float sums are wrong by 1 part in 300.
     constexpr std::size_t count = 300'000;
     constexpr float flux = 1.3e-6f;
     HitBatch hits;
@@ -245,7 +247,7 @@ TEST(PhotonStorage, SortingKeepsEveryPhotonWithItsPosition) {
         EXPECT_EQ(Vec3(sorted[i].flux), sorted.positions()[i]);
         if (i > 0) step += (sorted.positions()[i] - sorted.positions()[i - 1]).length();
     }
-    // In random order the mean step across the unit square is 0.52.
+    // In random order, the mean step across the unit square would be 0.52.
     EXPECT_LT(step / static_cast<double>(sorted.size()), 0.05);
     const auto less = [](const Vec3& a, const Vec3& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); };
     std::vector<Vec3> before = hits.position, after(sorted.positions().begin(), sorted.positions().end());

@@ -1,4 +1,4 @@
-// shlmbench bases as its user meets it.
+// Tests shlmbench bases from the user's point of view.
 #include "tests/support/command.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// shlmbench trace and merge as their user meets them: what is kept, gone on from, joined and refused.
+// Tests shlmbench trace and merge from the user's point of view: what is kept, continued, merged and refused.
 #include <fmt/format.h>
 
 #include <random>
@@ -16,14 +16,14 @@ using child_process::text_of;
 
 class Checkpoint : public Command {
   protected:
-    /// The words of a small trace, with more words behind.
+    /// Returns the arguments of a small trace, followed by `more`.
     [[nodiscard]] static Words trace(const Words& more, const std::string& scene = cornell) {
         Words words = {"trace", scene, "--texels", "1500"};
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }
 
-    /// The file of an uninterrupted run.
+    /// Makes the file of an uninterrupted run.
     std::string made(const std::string& name, const Words& more) const {
         Words words = trace(more);
         words.insert(words.end(), {"--checkpoint", path(name)});
@@ -93,7 +93,7 @@ TEST_F(Checkpoint, HoldsWhatTheRunWas) {
         planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(pixels), std::int64_t{0}));
     EXPECT_EQ(hits + run.rejected.total(), run.hits);
     EXPECT_NO_THROW(reader.check());
-    // Any viewer shows the first part.
+    // Any viewer can show the first part.
     const common::Image preview = common::read_image(file);
     EXPECT_TRUE(preview.find_channel("R") && preview.find_channel("G") && preview.find_channel("B"));
     EXPECT_GT(std::accumulate(preview.values.begin(), preview.values.end(), 0.0), 0);
@@ -167,7 +167,7 @@ TEST_F(Checkpoint, FilesThatAreNoneAreRefused) {
     expect_refusal(resume, {"map.exr", "not a light map's checkpoint"});
 }
 
-/// All numbers of a file, whole and checked.
+/// Returns all numbers of a file, which is read completely and checked.
 std::vector<std::int64_t> numbers_in(const std::string& file) {
     shlm::MapFileReader reader(file);
     const std::size_t plane = reader.size().pixels(), number = 3 * plane;
@@ -198,13 +198,13 @@ TEST_F(Checkpoint, ABrokenFileIsRefusedOrDoesNotMatter) {
     constexpr int damages = 300;
     for (int i = 0; i < damages; ++i) {
         std::string bad = good;
-        // Half of the places in the header, where damage is most colourful.
+        // Half of the damaged bytes are in the header, where the effects are most diverse.
         const std::size_t end = i % 2 == 0 ? good.size() : 3000;
         const std::size_t place = std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
         bad[place] = static_cast<char>(bad[place] ^ (1 << (random() % 8)));
         std::ofstream(file, std::ios::binary) << bad;
         try {
-            EXPECT_TRUE(numbers_in(file) == numbers)  // the damage is in the preview, say
+            EXPECT_TRUE(numbers_in(file) == numbers)  // the damage may be in the preview
                 << "bit flipped in byte " << place << " of " << good.size() << ", seed " << seed;
         } catch (const common::InputError& e) {
             EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
@@ -232,7 +232,7 @@ TEST_F(Checkpoint, InterruptedItKeepsWhatItHas) {
 TEST_F(Checkpoint, AFullDiskLeavesTheLastOne) {
     const std::string file = made("map.exr", {"--photons", "1000"});
     const std::string kept = text_of(file);
-    // A limit on the size of files is a disk that is full at the same place in every run.
+    // A limit on the size of files acts like a disk that is full at the same point in every run.
     const std::string command = fmt::format(
         "trap '' XFSZ; ulimit -f 50; exec {}/shlmbench trace {} --texels 1500 --photons 2000 --resume {}",
         build_folder, cornell, file);

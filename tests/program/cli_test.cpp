@@ -1,4 +1,4 @@
-// The command as its user meets it: exit codes, one line for every mistake, and nothing half-written.
+// Tests the command line: exit codes, one line for every mistake, and no incomplete files.
 #include <OpenImageIO/imageio.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ using namespace command;
 using child_process::text_of;
 using Json = nlohmann::json;
 
-/// Every command's words for the scene.
+/// Returns the arguments of every command for the scene.
 std::vector<Words> all_commands(const std::string& scene, const std::string& out) {
     return {{"info", scene},
             {"render", scene, "--method", "photonmap", "--hits", "1000", "--out", out + "/image.exr"},
@@ -243,7 +243,7 @@ TEST_F(BadOption, NumbersOfOtherCommands) {
 TEST_F(BadOption, TheLargestSeedIsOne) {
     expect_success(render(cornell, "photonmap", {"--seed", "18446744073709551615"}));
     EXPECT_EQ(common::read_notes(path("image.exr")).at("shlmbench:seed"), "18446744073709551615");
-    // Decimal, whatever it begins with.
+    // Numbers are decimal, even with a leading zero.
     expect_success(render(cornell, "photonmap", {"--seed", "010"}));
     EXPECT_EQ(common::read_notes(path("image.exr")).at("shlmbench:seed"), "10");
 }
@@ -332,8 +332,8 @@ TEST_F(Render, IsTheSamePictureByStarlight) {
 }
 
 TEST_F(Render, IsTheSameForAnyNumberOfThreads) {
-    // Not photonmap/flann-incremental: FLANN shuffles its points with std::random_device, and its search is
-    // not exact.
+    // photonmap/flann-incremental is excluded: FLANN shuffles its points with std::random_device, and its
+    // search is not exact.
     for (const char* method : {"photonmap", "shlm"}) {
         expect_success(render(cornell, method, {"--threads", "1"}));
         const common::Image one = common::read_image(path("image.exr"));
@@ -347,7 +347,7 @@ TEST_F(Render, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
-/// Share of pixels that show a surface.
+/// Returns the fraction of pixels that show a surface.
 double coverage(const common::Image& image) {
     double sum = 0;
     for (std::size_t p = 0; p < image.pixel_count(); ++p) sum += image.at(p, 3);
@@ -380,7 +380,7 @@ TEST_F(Render, LooksWhereItIsTold) {
     EXPECT_EQ(from("0.2,0.2,0.1,0.2,0.2,1,20"), 0.0);
 }
 
-/// A triangle that faces +z, with a bulb named 'bulb' before or behind it.
+/// Makes a triangle that faces +z, with a bulb named 'bulb' in front of or behind it.
 GltfFile lit_triangle(double z) {
     GltfFile file = gltf_text::one_triangle();
     file.document["extensionsUsed"] = {"KHR_lights_punctual"};
@@ -422,7 +422,7 @@ TEST_F(Render, TellsThatLightMissesAll) {
     EXPECT_NE(ended.err.find("meets no surface"), std::string::npos) << ended.err;
 }
 
-/// A closed box of the colour that glTF has where nothing is said, white, with a bulb.
+/// Makes a closed box of glTF's default colour, white, with a bulb.
 GltfFile white_furnace() {
     GltfFile file = lit_triangle(0.5);
     std::vector<float> corners;

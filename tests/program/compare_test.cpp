@@ -1,4 +1,4 @@
-// shlmbench compare: its table, and how it grows over several runs.
+// Tests shlmbench compare: its table, and how it grows over several runs.
 #include "tests/support/command.h"
 
 namespace {
@@ -52,7 +52,7 @@ TEST_F(Compare, SaysWhyALightMapIsNotToBeHad) {
     EXPECT_NE(rows[1]["skipped"].get<std::string>().find("TEXCOORD_1"), std::string::npos);
 }
 
-/// The words of a small comparison.
+/// Returns the arguments of a small comparison.
 Words small(const std::string& scene, const std::string& out, const Words& more,
             const std::string& repetitions = "1") {
     Words words = {"compare", scene, "--hits", "1000", "--repetitions", repetitions, "--out", out};
@@ -67,7 +67,7 @@ TEST_F(Compare, GoesOnWhereItWas) {
         EXPECT_EQ(ended.exit_code, 0) << ended.err;
         return Json::parse(text_of(out + "/compare.json"))["rows"];
     };
-    // The light map does not fit at first.
+    // At first the light map does not fit into memory.
     const Words methods = {"--methods", "photonmap,shlm"};
     const auto with = [&](Words more) {
         more.insert(more.end(), methods.begin(), methods.end());
@@ -76,14 +76,14 @@ TEST_F(Compare, GoesOnWhereItWas) {
     const Json first = rows_after(with({"--max-memory", "100MiB"}));
     ASSERT_EQ(first.size(), 2u);
     EXPECT_TRUE(first[1].contains("skipped"));
-    // A method that is not asked for now keeps its row, be it skipped.
+    // A method that is not asked for now keeps its row, even if it was skipped.
     const Json same = rows_after(small(cornell, out, {"--methods", "photonmap"}));
     EXPECT_EQ(same, first) << "not even timings differ";
     const Json second = rows_after(with({}));
     ASSERT_EQ(second.size(), 2u);
     EXPECT_EQ(second[0], first[0]);
     EXPECT_FALSE(second[1].contains("skipped"));
-    // More repetitions are measured, in the old rows' place; fewer of another size go beside them.
+    // More repetitions replace the old rows; fewer of another size are added beside them.
     const Json more = rows_after(small(cornell, out, methods, "2"));
     ASSERT_EQ(more.size(), 2u);
     EXPECT_NE(more[0], first[0]);

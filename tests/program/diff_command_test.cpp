@@ -1,4 +1,4 @@
-// shlmbench diff as its user meets it: what is compared, what is refused, and when it fails.
+// Tests shlmbench diff from the user's point of view: what is compared, what is refused, and when it fails.
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -20,20 +20,20 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 const Words rgb = {"R", "G", "B"};
 const Words all_channels = {"R", "G", "B", "A", "irradiance.R", "irradiance.G", "irradiance.B"};
 
-/// The same value everywhere, A as well; 8 x 6 pixels.
+/// Makes an image of 8 x 6 pixels with the same value everywhere, also in A.
 Image flat(const Words& channels, float value) {
     Image image{8, 6, channels, {}};
     image.values.resize(image.pixel_count() * channels.size(), value);
     return image;
 }
 
-/// Another value in one channel of all pixels.
+/// Sets one channel of all pixels to another value.
 Image with(Image image, const std::string& channel, float value) {
     for (std::size_t p = 0; p < image.pixel_count(); ++p) image.at(p, *image.find_channel(channel)) = value;
     return image;
 }
 
-/// Another value in one channel of one pixel.
+/// Sets one channel of one pixel to another value.
 Image with(Image image, int x, int y, const std::string& channel, float value) {
     image.at(static_cast<std::size_t>(y) * image.width + x, *image.find_channel(channel)) = value;
     return image;
@@ -41,7 +41,7 @@ Image with(Image image, int x, int y, const std::string& channel, float value) {
 
 class Diff : public Command {
   protected:
-    /// Compares the two, written as image.exr and reference.exr.
+    /// Compares the two images, written as image.exr and reference.exr.
     [[nodiscard]] Ended run(const Image& image, const Image& reference, const Words& more = {}) const {
         common::write_exr(path("image.exr"), image, {}, common::Precision::single);
         common::write_exr(path("reference.exr"), reference, {}, common::Precision::single);
@@ -62,13 +62,13 @@ class Diff : public Command {
         return Json::parse(ended.out);
     }
 
-    /// Exit code 2, no number, no map, and one line that has all of `fragments`.
+    /// Expects exit code 2, no figures, no map, and one line that contains all of `fragments`.
     void expect_refusal(const Ended& ended, const Words& fragments) const {
         expect_refused(ended, fragments);
         EXPECT_FALSE(std::filesystem::exists(path("map.png")));
     }
 
-    /// With every option that could let it pass or leave something behind.
+    /// Expects a refusal despite every option that could let it pass or leave a file.
     void expect_refusal(const Image& image, const Image& reference, const Words& fragments) const {
         expect_refusal(
             run(image, reference, {"--fail-relmse", "1e300", "--flip-map", path("map.png"), "--json"}),
@@ -172,16 +172,16 @@ TEST_F(Diff, WritesAMap) {
     EXPECT_GT(common::read_image(path("map.png")).at(0, 0), 0.9f);
 }
 
-// Where pixels lie.
+// Positions of pixels.
 
-/// A place in a picture: OpenEXR's windows.
+/// A position in a picture, by OpenEXR's windows.
 struct Place {
     int x, y;           ///< of the data window, from the display window's corner
     int width, height;  ///< of the display window
     int display_x = 0, display_y = 0;
 };
 
-/// The image at that place.
+/// Writes the image with these windows.
 void write_at(const std::string& file, const Image& image, const Place& place) {
     OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeFloat);
     spec.channelnames = image.channels;
@@ -196,7 +196,7 @@ void write_at(const std::string& file, const Image& image, const Place& place) {
                 out->close());
 }
 
-/// Another value in each pixel of a picture; the part of it that is at (x, y).
+/// Returns the part at (x, y) of a picture that has a different value in each pixel.
 Image part_at(int x, int y, int width, int height) {
     Image image{width, height, rgb, {}};
     for (int row = y; row < y + height; ++row)
@@ -221,7 +221,7 @@ TEST_F(DiffWindows, TheSamePixelsElsewhereAreNotCompared) {
     write_at(path("reference.exr"), part, {0, 0, 16, 12});
     expect_refusal(run_on("image.exr", "reference.exr"), {"image.exr has 8 x 6 at (8, 6) of 16 x 12",
                                                           "reference.exr has 8 x 6 at (0, 0) of 16 x 12"});
-    // Nor with the whole picture, nor with another one of the part's size.
+    // Neither the whole picture nor another one of the part's size is comparable.
     write_at(path("reference.exr"), part_at(0, 0, 16, 12), {0, 0, 16, 12});
     expect_refusal(run_on("image.exr", "reference.exr"), {"8 x 6 at (8, 6) of 16 x 12", "has 16 x 12"});
     write_at(path("reference.exr"), part, {0, 0, 8, 6});
@@ -237,7 +237,7 @@ TEST_F(DiffWindows, TheSamePartOfAPictureIsCompared) {
     EXPECT_EQ(found["worst"]["x"], 15);
     EXPECT_EQ(found["worst"]["y"], 11);
     EXPECT_EQ(found["width"], 8);
-    // Wherever the picture itself begins.
+    // The picture's own origin does not matter.
     write_at(path("image.exr"), part_at(8, 6, 8, 6), {8, 6, 16, 12, -100, 50});
     EXPECT_EQ(figures_of_files()["relmse"], 0);
 }
@@ -312,7 +312,7 @@ TEST_F(Diff, RefusesAReferenceThatLacksLightWhichTheImageMayHave) {
     common::write_exr(path("image.exr"), image, {});
     common::write_exr(path("reference.exr"), image, lacks);
     expect_refusal(run_on("image.exr", "reference.exr"), {"reference.exr", "light of 1 point lights"});
-    // Another reference lacks the same.
+    // A reference that lacks the same light is comparable.
     common::write_exr(path("image.exr"), image, lacks);
     EXPECT_EQ(run_on("image.exr", "reference.exr").exit_code, 0);
     common::write_exr(path("reference.exr"), image, {{"shlmbench:paths_not_found", "none"}});

@@ -1,4 +1,4 @@
-// shlmbench fit as its user meets it.
+// Tests shlmbench fit from the user's point of view.
 #include <sstream>
 
 #include "tests/support/command.h"
@@ -12,13 +12,13 @@ using Json = nlohmann::json;
 
 constexpr double target = 0.4;
 
-/// A whole search takes minutes there, and what is asked of these is the answers.
+/// A whole search takes minutes in slow builds, and these tests check its answers only.
 #define ONLY_WHERE_OPTIMISED \
     if (tests::count_for(1, 0) == 0) GTEST_SKIP() << "answers, which the optimised build checks"
 
 class Fit : public Command {
   protected:
-    /// A pilot that is as small as can be, and a target that does not take more.
+    /// Returns a search with the smallest possible pilot, and a target that needs no larger one.
     [[nodiscard]] static Words fit(const Words& more = {}, const std::string& wanted = "40%",
                                    const std::string& pilot = "25000") {
         Words words = {"fit", cornell, "--target", wanted, "--pilot", pilot, "--max-hits", "1e6"};
@@ -87,7 +87,7 @@ TEST_F(Fit, MeetsTheTargetThatItWasGiven) {
         for (std::size_t i = 0; i < 4; ++i) {
             EXPECT_EQ(runs[i]["seed"], i + 2) << "not the pilot's";
             EXPECT_GE(runs[i]["hits"], found[kind]["choice"]["hits"]);
-            // The points are others, and coarser ones, than the fit's.
+            // These points differ from the fit's and are coarser.
             EXPECT_LT(runs[i]["error"], 1.2 * target) << kind;
             if (!is_adaptive(found[kind]["choice"])) {
                 EXPECT_GT(runs[i]["error"], target / 2) << kind << ": far more than was asked for";
@@ -199,7 +199,7 @@ TEST_F(Fit, GrowsNoPilotForWhatCannotBeReached) {
 
 TEST_F(Fit, TakesAllOfThePilotForWhatAsksForIt) {
     ONLY_WHERE_OPTIMISED;
-    for (const std::string largest : {"60000", "120000"}) {  // none is the smallest times a power of four
+    for (const std::string largest : {"60000", "120000"}) {  // neither is the smallest times a power of four
         const Ended ended = run({"fit", cornell, "--target", "1%", "--pilot", largest, "--json"});
         ASSERT_EQ(ended.exit_code, 0) << ended.err;
         EXPECT_EQ(Json::parse(ended.out)["pilot"]["hits_of_each_half"], std::stod(largest));

@@ -1,4 +1,4 @@
-// The project's own scenes against images of them that somebody has looked at.
+// Compares renders of the project's own scenes with images that people have inspected.
 #include "tests/support/golden.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ constexpr bool slow_build = true;
 constexpr bool slow_build = false;
 #endif
 
-/// Rounded to half floats, as the golden images are.
+/// Returns the image rounded to half floats, as the golden images are.
 ImageBuf as_buffer(const common::Image& image) {
     OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()), OIIO::TypeHalf);
     spec.channelnames = image.channels;
@@ -50,9 +50,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, GoldenImage,
                                           testing::ValuesIn(golden::methods)),
                          test_name);
 
-// The comparison itself.
+// Tests of the comparison itself.
 
-/// Grey with a gradient; `offset` stands for other noise.
+/// Makes a grey image with a gradient; `offset` stands for different noise.
 common::Image made_up(float offset = 0) {
     common::Image image{40, 20, {"R", "G", "B", "A", "irradiance.R", "irradiance.G", "irradiance.B"}, {}};
     for (std::size_t p = 0; p < image.pixel_count(); ++p)

@@ -1,5 +1,5 @@
-// What is there already: no result takes the place of what it is made from, nor of anything that the command
-// has not made, and of two writers one is refused.
+// Tests existing files: no result replaces its own inputs, or anything that the command has not made. Of two
+// writers, one is refused.
 #include <fmt/format.h>
 
 #include "common/core/input_error.h"
@@ -16,7 +16,7 @@ using child_process::text_of;
 
 class KeptFiles : public Command {
   protected:
-    /// The words of a small trace, with more words behind.
+    /// Returns the arguments of a small trace, followed by `more`.
     [[nodiscard]] static Words trace(const Words& more) {
         Words words = {"trace", cornell, "--texels", "1500"};
         words.insert(words.end(), more.begin(), more.end());
@@ -34,7 +34,7 @@ class KeptFiles : public Command {
         return {"reference", cornell, "--spp", "128", "--out", out, "--width", "16", "--height", "9"};
     }
 
-    /// Refuses it, and every file stays as it was.
+    /// Expects a refusal, and every file unchanged.
     void expect_kept(const Words& words, const Words& fragments) const {
         SCOPED_TRACE(testing::PrintToString(words));
         const std::map<std::string, std::string> before = texts();
@@ -42,7 +42,7 @@ class KeptFiles : public Command {
         EXPECT_EQ(texts(), before);
     }
 
-    /// The texts of all files.
+    /// Returns the contents of all files.
     [[nodiscard]] std::map<std::string, std::string> texts() const {
         std::map<std::string, std::string> all;
         for (const std::string& name : files_in(folder.path()))
@@ -86,7 +86,7 @@ TEST_F(KeptFiles, OnlyItsOwnPngIsReplaced) {
     expect_kept(render_to(path("a.exr")), {"--out", "a.png is a folder"});
     fs::remove(path("a.png"));
     expect_success(render_to(path("a.exr")));
-    // Stripped of its notes it could be anybody's, as after some hours with a brush.
+    // Without its notes it may be anybody's work, such as hours of painting.
     common::Image png = common::read_image(path("a.png"));
     png.channels = {"R", "G", "B"};
     fs::remove(path("a.png"));
@@ -95,7 +95,7 @@ TEST_F(KeptFiles, OnlyItsOwnPngIsReplaced) {
 }
 
 TEST_F(KeptFiles, ATextureIsNotReplacedByAPicture) {
-    // The texture is a picture that the program made itself.
+    // The texture is a picture that the program itself has made.
     expect_success(render_to(path("wall one.exr")));
     GltfFile file = gltf_text::one_triangle();
     file.document["images"] = {{{"uri", "wall%20one.png"}}};
@@ -138,7 +138,7 @@ TEST_F(KeptFiles, MergingReplacesNoPieceAndLosesNoPhoton) {
     expect_kept({"merge", a, b, "--out", c}, {"--out", "c.exr is there already", "photons"});
     folder.write("text.exr", "text");
     expect_kept({"merge", a, b, "--out", path("text.exr")}, {"text.exr"});
-    // A map that is part of the new one may go.
+    // A map that is part of the new one may be replaced.
     expect_success({"merge", a, b, "--out", path("all.exr")});
     expect_success({"merge", a, b, c, "--out", path("all.exr")});
     expect_kept({"merge", a, b, "--out", path("all.exr")}, {"--out", "all.exr is there already", "photons"});
@@ -148,7 +148,7 @@ TEST_F(KeptFiles, AUnfinishedFileOfSomebodyElseIsInTheWay) {
     folder.write("map.exr.part", "half of a download");
     expect_kept(trace({"--photons", "1000", "--checkpoint", path("map.exr")}),
                 {"map.exr.part", "in the way"});
-    // As a run leaves it that is killed while it writes.
+    // A file as a run leaves it if it is killed while writing.
     for (const char* text : {"", "\x76\x2f", "\x76\x2f\x31\x01 and so on"}) {
         fs::remove(path("map.exr"));
         folder.write("map.exr.part", text);
@@ -204,7 +204,7 @@ TEST_F(KeptFiles, ResultFoldersDoNotHoldTheirScenes) {
 }
 
 TEST_F(KeptFiles, ANameThatIsTooLongIsRefusedBeforeTheWork) {
-    // One that fits by itself, and not with what is put to it while the file is written.
+    // The name is short enough by itself, but not with the suffix that is added during writing.
     const std::string name = std::string(248, 'x') + ".exr";
     expect_kept(render_to(path(name), {"--hits", "1e12"}), {"--out", "too long"});
     expect_kept(trace({"--hits", "1e12", "--checkpoint", path(name)}), {"--checkpoint", "too long"});
@@ -215,12 +215,12 @@ TEST_F(KeptFiles, ANameThatIsTooLongIsRefusedBeforeTheWork) {
     }
 }
 
-// Of two writers.
+// Tests with two writers.
 
 TEST_F(KeptFiles, OfTwoWritersOneIsRefusedAtOnce) {
     const std::string out = path("map.exr");
     Child first = start(trace({"--hits", "1e12", "--every", "0.01s", "--checkpoint", out}));
-    // Before there is a first checkpoint and after it.
+    // The second one is refused before the first checkpoint and after it.
     ASSERT_TRUE(child_process::wait_until([&] { return fs::exists(out + ".lock"); }));
     const gltf_text::TemporaryDirectory said_by_others;
     const auto expect_second_refused = [&](const Words& words) {
@@ -287,7 +287,7 @@ TEST_F(KeptFiles, ALockIsHeldAsLongAsItLives) {
     EXPECT_EQ(files_in(folder.path()), std::set<std::string>{"x.lock"});
 }
 
-// Parts.
+// Tests of the parts.
 
 TEST_F(KeptFiles, SourceFilesAreAllThatASceneIsReadFrom) {
     folder.write("scene.gltf",

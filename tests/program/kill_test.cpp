@@ -1,4 +1,4 @@
-// kill -9 at any moment loses at most what was traced since the last checkpoint, and never the file.
+// After kill -9 at any moment, at most the work since the last checkpoint is lost, but never the file.
 #include <fmt/format.h>
 
 #include <random>
@@ -14,7 +14,7 @@ using Clock = std::chrono::steady_clock;
 
 class Kill : public Command {
   protected:
-    /// With checkpoints so close together that about every other moment is in the middle of one.
+    /// Traces with checkpoints so frequent that about half of all moments are within one.
     [[nodiscard]] Words trace(const std::string& option, const std::string& file, int threads) const {
         const std::uint64_t photons = tests::count_for(1'500'000, 200'000);
         return {"trace",    cornell,    "--photons", std::to_string(photons),
@@ -35,7 +35,7 @@ TEST_F(Kill, LeavesAFileThatGoesOnToTheSameMap) {
     std::uniform_real_distribution<double> part(0, 1);
     int alive = 0, with_file = 0;
     for (int i = 0; i < kills; ++i) {
-        // Every other one soon after the first checkpoint, however fast the machine is at the time.
+        // Every other kill comes soon after the first checkpoint, however fast the machine is.
         const bool after_checkpoint = i % 2 == 0;
         const auto moment = duration * part(random) * (after_checkpoint ? 0.2 : 1);
         SCOPED_TRACE(fmt::format("kill {} after {:.3f} s, seed {}", i, moment.count(), seed));

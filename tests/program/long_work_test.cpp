@@ -1,4 +1,4 @@
-// Everything that takes long: it can be stopped, it says so, and no disk trouble leaves half a file.
+// Tests all long work: it can be interrupted, says so, and leaves no incomplete file if the disk fails.
 #include <fmt/format.h>
 
 #include "tests/support/command.h"
@@ -11,12 +11,12 @@ struct LongWork {
     std::string name;
     Words words;      ///< takes minutes
     Words shortened;  ///< the same within seconds
-    std::string out;  ///< what it writes, below a folder
+    std::string out;  ///< output path below a folder
 
     friend void PrintTo(const LongWork& work, std::ostream* out) { *out << work.name; }
 };
 
-/// Without where to write to.
+/// The commands without their output option.
 const std::vector<LongWork> all = {
     {"render", {"render", cornell, "--method", "shlm", "--hits", "1e12"}, {"--hits", "1e4"}, "image.exr"},
     {"trace", {"trace", cornell, "--hits", "1e12", "--texels", "1500"}, {"--hits", "1e4"}, "map.exr"},
@@ -30,7 +30,7 @@ const std::vector<LongWork> all = {
 
 class LongWorkOf : public Command, public testing::WithParamInterface<LongWork> {
   protected:
-    /// With the output at `place`; options that are given twice are those of `more`.
+    /// Returns the arguments with the output at `place`. Options given twice take the value of the later one.
     [[nodiscard]] Words words_to(const std::string& place, bool shortened) const {
         Words words = GetParam().words;
         words.insert(words.end(), {GetParam().name == "trace" ? "--checkpoint" : "--out", place});
@@ -46,7 +46,7 @@ class LongWorkOf : public Command, public testing::WithParamInterface<LongWork> 
         return words;
     }
 
-    /// Nothing that has a name of its own only while it is written.
+    /// Expects no file with a name that is used only during writing.
     void expect_no_half_files() const {
         for (const std::string& name : files_in(folder.path())) {
             EXPECT_EQ(name.find(".tmp"), std::string::npos) << name;
@@ -70,7 +70,7 @@ TEST_P(LongWorkOf, StopsWhenItIsTold) {
 }
 
 TEST_P(LongWorkOf, SaysThatTheDiskIsFull) {
-    // A limit on the size of files is a disk that is full at the same place in every run.
+    // A limit on the size of files acts like a disk that is full at the same point in every run.
     std::string line = fmt::format("trap '' XFSZ; ulimit -f 4; exec {}/shlmbench", build_folder);
     for (const std::string& word : words_to(path(GetParam().out), true)) line += " '" + word + "'";
     const Ended ended = Child("/bin/sh", {"-c", line}, said.path()).wait();

@@ -1,4 +1,4 @@
-// shlmbench reference as its user meets it.
+// Tests shlmbench reference from the user's point of view.
 #include "common/image/image.h"
 #include "common/reference/reference_image.h"
 #include "tests/support/command.h"
@@ -13,7 +13,7 @@ class ReferenceCommand : public Command {
   protected:
     [[nodiscard]] std::set<std::string> files() const { return files_in(folder.path()); }
 
-    /// The words of a small reference, with more words behind.
+    /// Returns the arguments of a small reference, followed by `more`.
     [[nodiscard]] Words reference(const Words& more, const std::string& scene = cornell) const {
         Words words = {"reference", scene, "--out", path("ref.exr"), "--width", "16", "--height", "9"};
         words.insert(words.end(), more.begin(), more.end());
@@ -26,7 +26,7 @@ class ReferenceCommand : public Command {
         return ended;
     }
 
-    /// Exit code 2, one line that has all of `fragments`, and every file as it was.
+    /// Expects exit code 2, one line that contains all of `fragments`, and every file unchanged.
     void expect_refusal(const Words& words, const Words& fragments) const {
         SCOPED_TRACE(testing::PrintToString(words));
         const auto before = files();
@@ -77,7 +77,7 @@ TEST_F(ReferenceCommand, GoesOnToTheBit) {
     EXPECT_TRUE(ended.err.starts_with("going on from " + path("ref.exr") + ": 128 samples per pixel"))
         << ended.err;
     EXPECT_EQ(common::read_image(path("ref.exr")).values, whole.values);
-    // Asked for less than is there, it leaves the file alone.
+    // If it has enough samples already, the file is not changed.
     const std::string kept = child_process::text_of(path("ref.exr"));
     expect_success(reference({"--spp", "64"}));
     EXPECT_EQ(child_process::text_of(path("ref.exr")), kept);
@@ -88,7 +88,7 @@ TEST_F(ReferenceCommand, SamplesUntilItIsGoodEnough) {
     const auto image = common::reference::read_reference(path("ref.exr"));
     EXPECT_LE(std::stod(image.notes.at("shlmbench:relative_error")), 0.1);
     EXPECT_EQ(std::stoul(image.notes.at("shlmbench:passes")) % 8, 0u);
-    // Stopped between two looks, it ends where it would have ended.
+    // Stopped between two checks of the error, it ends where it would have ended.
     fs::remove(path("ref.exr"));
     expect_success(reference({"--spp", "192"}));
     expect_success(reference({"--until", "10%"}));
@@ -125,7 +125,7 @@ TEST_F(ReferenceCommand, InterruptedKeepsWholePassesAndGoesOn) {
 }
 
 TEST_F(ReferenceCommand, InterruptedBeforeItHasAVarianceWritesNothing) {
-    // Two passes over so many pixels take longer than any signal.
+    // Two passes over so many pixels take longer than the delivery of a signal.
     Child child(build_folder + "/shlmbench",
                 {"reference", cornell, "--out", path("ref.exr"), "--width", "1024", "--height", "1024"},
                 said.path());

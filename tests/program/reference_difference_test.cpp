@@ -1,5 +1,5 @@
-// The methods' images against the path-traced references: as far from them as other seeds are, and farther
-// with any error that is planted.
+// Compares the methods' images with the path-traced references. They differ as much as with other seeds, and
+// more with every error that is planted.
 #include "tests/support/reference_difference.h"
 
 #include <gtest/gtest.h>
@@ -27,10 +27,11 @@ constexpr bool slow_build = true;
 constexpr bool slow_build = false;
 #endif
 
-/// None of those that the bounds come from.
+/// It must not be one of the seeds that the bounds come from.
 constexpr std::uint64_t seed = 1;
 
-/// Of failing by accident, for each comparison. There are 22: the whole file fails once in 4500 seeds.
+/// Probability of a false alarm for each comparison. There are 22, so the whole file fails once in 4500
+/// seeds.
 constexpr double alpha = 1e-5;
 
 bool takes_too_long(const std::string& scene) {
@@ -64,7 +65,7 @@ Bounds bounds_of(const Subject& subject) {
     throw std::runtime_error("no bounds of " + subject.scene + ", " + subject.method);
 }
 
-/// The subject's image, drawn when it is first asked for.
+/// Returns the subject's image, which is rendered when it is first needed.
 const fs::path& image_of(const Subject& subject) {
     static const TemporaryDirectory folder;
     static std::map<std::string, fs::path> drawn;
@@ -75,7 +76,7 @@ const fs::path& image_of(const Subject& subject) {
     return at->second;
 }
 
-/// The same image, its irradiance times `factor`, in a file of its own.
+/// Writes the same image with its irradiance times `factor` to a file of its own.
 fs::path scaled(const fs::path& image, float factor) {
     common::Image pixels = common::read_image(image);
     for (const char* name : {"irradiance.R", "irradiance.G", "irradiance.B"})
@@ -93,7 +94,7 @@ std::string described(const Figures& figures, const Bounds& bounds) {
                        bounds.relative_bias.low, bounds.relative_bias.high, seed);
 }
 
-/// Whether an image lies outside the subject's bounds, and whether the command alone says so.
+/// Whether an image is outside the subject's bounds, and whether the command alone detects that.
 struct Found {
     bool by_bounds, by_command;
     std::string figures;
@@ -105,8 +106,8 @@ Found find_error(const fs::path& image, const Subject& subject) {
     return {!bounds.contain(found.figures), found.fails, described(found.figures, bounds)};
 }
 
-/// By the bounds always. By --fail-relmse in all scenes but the atrium: its relMSE is mostly noise, which
-/// darkens with the image.
+/// Expects detection by the bounds always, and by --fail-relmse in all scenes but the atrium. There the
+/// relMSE is mostly noise, which decreases as the image becomes darker.
 void expect_found(const fs::path& image, const Subject& subject) {
     const Found found = find_error(image, subject);
     EXPECT_TRUE(found.by_bounds) << found.figures;
@@ -157,7 +158,7 @@ std::string test_name(const testing::TestParamInfo<Subject>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Subjects, ReferenceDifferenceOf, testing::ValuesIn(subjects()), test_name);
 
-/// The smallest factor above 1 that the bounds tell from none in an image without noise of its own.
+/// Returns the smallest factor above 1 that the bounds detect in an image without noise of its own.
 double smallest_factor(const Subject& subject) {
     const Interval bias = bounds_of(subject).relative_bias;
     return (1 + bias.high) / (1 + 0.5 * (bias.low + bias.high));
@@ -209,7 +210,7 @@ TEST(StudentsT, HasTheQuantilesOfTheTables) {
          {std::tuple(0.05, 1, 12.7062047), std::tuple(0.05, 2, 4.3026527), std::tuple(0.05, 15, 2.1314495),
           std::tuple(0.001, 15, 4.0727652), std::tuple(0.05, 30, 2.0422725), std::tuple(0.01, 9, 3.2498355)})
         EXPECT_NEAR(tests::t_for(chance, degrees), t, 1e-6) << chance << ", " << degrees;
-    for (const double chance : {0.5, 0.01, 1e-5}) {  // closed forms
+    for (const double chance : {0.5, 0.01, 1e-5}) {  // cases with closed forms
         EXPECT_NEAR(tests::t_for(chance, 1), 1 / std::tan(std::numbers::pi / 2 * chance),
                     1e-4 / chance * 1e-5);
         EXPECT_NEAR(tests::t_for(chance, 2), std::sqrt(2 / (chance * (2 - chance)) - 2), 1e-4);

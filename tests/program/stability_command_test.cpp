@@ -1,4 +1,4 @@
-// The command of the stability cases: what it names, writes and keeps, and what it refuses.
+// Tests the command of the stability cases: what it lists, writes and keeps, and what it refuses.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +15,7 @@ class StabilityCommand : public FolderCommand {
 
     [[nodiscard]] std::string text() const { return child_process::text_of(out() / "stability.md"); }
 
-    /// The table's rows after a run of these cases in their short form.
+    /// Returns the table's rows after a run of these cases in their short form.
     [[nodiscard]] Json rows_of(Words words) const {
         words.insert(words.end(), {"--short", "--out", out().string()});
         const Ended ended = run(words);

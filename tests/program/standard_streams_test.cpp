@@ -1,4 +1,4 @@
-// Closed terminals, pipes without a reader and full disks under what the command says.
+// Tests the command's output with closed terminals, pipes without a reader, and full disks.
 #include "common/core/standard_streams.h"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@ namespace {
 
 using namespace command;
 
-/// The words as a shell takes them, in the program's place.
+/// Returns a shell line that replaces the shell by the program with these arguments.
 std::string line_of(const Words& words) {
     std::string line = fmt::format("exec {}/shlmbench", build_folder);
     for (const std::string& word : words) line += " '" + word + "'";
@@ -18,7 +18,7 @@ std::string line_of(const Words& words) {
 
 class Streams : public Command {
   protected:
-    /// With shell redirections behind.
+    /// Runs the command with shell redirections.
     [[nodiscard]] Ended run_with(const Words& words, const std::string& redirections) const {
         return Child("/bin/sh", {"-c", line_of(words) + " " + redirections}, said.path()).wait();
     }
@@ -47,7 +47,7 @@ TEST_F(Streams, AResultThatCannotBeWrittenIsAnError) {
             EXPECT_EQ(without_progress(ended.err),
                       "shlmbench: the result could not be written to standard output\n");
         }
-    // What was worked for is there all the same.
+    // The result is written all the same.
     EXPECT_EQ(files_in(folder.path()), (std::set<std::string>{"image.exr", "image.png"}));
 }
 
@@ -69,7 +69,7 @@ TEST_F(Streams, AnErrorThatNobodyReadsEndsAsItEnds) {
 }
 
 TEST_F(Streams, AWarningThatNobodyReadsEndsNoWork) {
-    // A reference warns of light that it does not find.
+    // A reference warns about light that it does not find.
     const Words words = {"reference", build_folder + "/scenes/caustic.glb",
                          "--sun",     "0,1,0,1,1,1",
                          "--spp",     "64",
@@ -83,7 +83,7 @@ TEST_F(Streams, AWarningThatNobodyReadsEndsNoWork) {
 }
 
 TEST_F(Streams, NothingThatIsSaidGetsIntoAFile) {
-    // Where a stream is closed, the first file that is opened would get its number.
+    // If a standard stream is closed, the first file that is opened would get its number.
     ASSERT_EQ(run(trace({"--photons", "20000"})).exit_code, 0);
     const std::string whole = child_process::text_of(path("map.exr"));
     fs::remove(path("map.exr"));
@@ -115,7 +115,7 @@ TEST_F(Streams, AHangUpKeepsWhatThereIs) {
     Child child = start(trace({"--hits", "1e12", "--every", "1h"}));
     ASSERT_TRUE(child_process::wait_until([&] { return child.catches(SIGHUP); }));
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    for (int times = 0; times < 3; ++times) child.send(SIGHUP);  // by the shell and by the kernel
+    for (int times = 0; times < 3; ++times) child.send(SIGHUP);  // both the shell and the kernel send it
     const Ended ended = child.wait();
     EXPECT_EQ(ended.exit_code, 130) << ended.err;
     EXPECT_TRUE(fs::exists(path("map.exr")));

@@ -1,11 +1,11 @@
-// shlmbench study where it cannot go on: bad input, and Ctrl-C.
+// Tests where shlmbench study cannot continue: bad input, and Ctrl-C.
 #include "tests/support/study_command.h"
 
 namespace {
 
 using namespace study_command;
 
-// What it refuses.
+// Tests of what it refuses.
 
 TEST_F(Study, RefusesAFolderOfOtherSettings) {
     const Request request = {
@@ -25,14 +25,14 @@ TEST_F(Study, RefusesAFolderOfOtherSettings) {
     expect_refusal(other, fragments);
     expect_refusal(with({"--max-radius", "0.5"}), fragments);
     expect_refusal(with({"--sky", "1,1,1"}), fragments);
-    // Another camera sees other points.
+    // Another camera sees different points.
     expect_refusal(with({"--camera", "0,1,1,0,1,0,60"}), fragments);
     // A table of another build.
     Json table = table_of(path("out"));
     table["context"]["built"] = "1970-01-01T00:00:00Z";
     std::ofstream(path("out/study.json")) << table.dump();
     expect_refusal(request, fragments);
-    // Told to, it begins again.
+    // With --anew it starts again.
     const std::size_t rows = table["rows"].size();
     table["rows"][0]["hits"] = 1;
     std::ofstream(path("out/study.json")) << table.dump();
@@ -82,7 +82,7 @@ TEST_F(Study, RefusesAReferenceThatLacksLightWhichPhotonsFind) {
     fs::create_directories(path("out"));
     fs::create_directories(path("references"));
     const std::string caustic = build_folder + "/scenes/caustic.glb";
-    const Words sun = {"--sun", "0,1,0,1,1,1"};  // no path to it leads through the glass ball
+    const Words sun = {"--sun", "0,1,0,1,1,1"};  // no path reaches it through the glass ball
     Words words = {"reference", caustic,    "--spp", "64",    "--width",
                    "16",        "--height", "9",     "--out", path("references/caustic.exr")};
     words.insert(words.end(), sun.begin(), sun.end());
@@ -99,7 +99,7 @@ TEST_F(Study, RefusesAReferenceOfAnotherSceneOrCamera) {
     make_reference("references/cornell.exr",
                    {"--width", "16", "--height", "9", "--camera", "0,1,1,0,1,0,60"});
     expect_refusal(request, {"references/cornell.exr", "looks at other points", "another scene or camera"});
-    // The reference of one scene under the name of another.
+    // The reference belongs to another scene than its name says.
     fs::copy_file(references() / "cornell.exr", path("references/bumpy.exr"));
     Request other_scene = request;
     other_scene.scene = build_folder + "/scenes/bumpy.glb";
@@ -136,7 +136,7 @@ TEST_F(Study, RefusesOptionsThatMeanNothing) {
 // Ctrl-C.
 
 TEST_F(Study, InterruptedKeepsFinishedRowsAndGoesOn) {
-    // As many seeds as there may be: the signal comes long before the last.
+    // With as many seeds as possible, the signal comes long before the last.
     Request request = {.out = path("out"), .hits = "20000", .seeds = "1000"};
     Child child(build_folder + "/shlmbench", words_of(request), said.path());
     ASSERT_TRUE(child_process::wait_until([&] { return fs::exists(path("out/study.json")); }));
@@ -163,14 +163,14 @@ TEST_F(Study, InterruptedKeepsFinishedRowsAndGoesOn) {
         EXPECT_EQ(kept, rows[i]) << "times included";
     }
     EXPECT_TRUE(fs::exists(path("out/report.md")));
-    // It has measured what it would have measured without the signal.
+    // The measurements are those of a run without the signal.
     request.out = path("whole");
     expect_same_rows(after, study(request));
     EXPECT_TRUE(contents_of(path("out/raw")) == contents_of(path("whole/raw")));
 }
 
 TEST_F(Study, InterruptedWhileTracingLeavesNoUnfinishedRow) {
-    // The second size takes longer than any signal.
+    // The second size takes longer than the delivery of a signal.
     Request request = {
         .out = path("out"), .methods = {"shlm/L2/radiance/own"}, .hits = "1000,1e14", .seeds = "2"};
     Child child(build_folder + "/shlmbench", words_of(request), said.path());

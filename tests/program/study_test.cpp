@@ -1,4 +1,4 @@
-// shlmbench study as its user meets it: what it measures, keeps and goes on with.
+// Tests shlmbench study from the user's point of view: what it measures, keeps and continues with.
 #include "common/image/image.h"
 #include "common/reference/reference_image.h"
 #include "tests/support/study_command.h"
@@ -7,7 +7,7 @@ namespace {
 
 using namespace study_command;
 
-// What it measures.
+// Tests of what it measures.
 
 TEST_F(Study, HasARowForEachMethodSizeAndSeed) {
     const Json rows = rows_of(finished_study());
@@ -125,7 +125,7 @@ TEST_F(Study, AnswersAsRenderDoes) {
     }
 }
 
-// The same again.
+// Tests of its repeatability.
 
 TEST_F(Study, IsTheSameAgainAndOnAnyNumberOfThreads) {
     const Contents raw = contents_of(finished_study() / "raw");
@@ -167,7 +167,7 @@ TEST_F(Study, ExtendedMeasuresOnlyWhatIsMissing) {
     EXPECT_EQ(after[0], before[0]) << "times included";
     EXPECT_EQ(after[1], before[1]);
     EXPECT_EQ(fs::last_write_time(old_answers), written);
-    // Whatever shares the trace and the store, answers are those of a study in one go.
+    // Answers are those of a single study, whichever methods share the trace and the store.
     expect_same_rows(after, rows_of(finished_study()));
     EXPECT_TRUE(contents_of(path("out/raw")) == contents_of(finished_study() / "raw"));
 }

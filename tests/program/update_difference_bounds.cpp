@@ -1,5 +1,5 @@
-// Measures anew how far the methods' images are from the references, over seeds: for new references, and for
-// a change that is meant to change the methods. Say why when it is committed.
+// Measures again, over several seeds, how far the methods' images are from the references: for new
+// references, and for intended changes of the methods. The commit must give the reason.
 #include "bench/setup/output_folder.h"
 #include "bench/setup/provenance.h"
 #include "common/core/input_error.h"

@@ -1,5 +1,4 @@
-// Writes the golden images anew: for a change that is meant to change them. Look at them before they are
-// committed.
+// Writes the golden images again, for intended changes. Inspect them before they are committed.
 #include "common/core/input_error.h"
 #include "tests/support/golden.h"
 

@@ -1,4 +1,4 @@
-// A reference is the same on any number of threads, and after it was put away and taken up again.
+// Tests that a reference is the same on any number of threads, and when it is saved and continued.
 #include "common/core/input_error.h"
 #include "common/core/threads.h"
 #include "common/reference/continuation.h"
@@ -14,7 +14,7 @@ using gltf_text::TemporaryDirectory;
 
 constexpr int width = 16, height = 9;
 
-/// A room with a panel, a lamp, a glass ball and, through the open front, some sky.
+/// Makes a room with a panel, a lamp, a glass ball and, through the open front, some sky.
 Scene room() {
     Scene scene;
     const auto walls = box_walls({-1, -1, -1}, {1, 1, 1});
@@ -26,7 +26,7 @@ Scene room() {
     return scene;
 }
 
-/// What a run needs, made anew for each as a program started anew would.
+/// The data of a run, made again for each one, as in a newly started program.
 struct View {
     Scene scene = room();
     common::RayScene rays{scene};
@@ -104,7 +104,7 @@ TEST(ReferenceRun, RelativeErrorIsThatOfItsPoints) {
     const View view;
     ReferenceSums sums(view.pixels.size());
     EXPECT_EQ(relative_error(view.pixels, sums), 0);
-    // All points 2 with a standard error of 0.1: 0.1 / sqrt(4 + 0.01 * 4).
+    // All points have the value 2 with a standard error of 0.1: 0.1 / sqrt(4 + 0.01 * 4).
     sums.passes = 2;
     for (auto& pixel : sums.pixel) pixel.fill({rounded_pair(2), rounded_pair(0.01)});
     EXPECT_NEAR(relative_error(view.pixels, sums), 0.1 / std::sqrt(4.04), 1e-6);
@@ -142,7 +142,7 @@ TEST(ReferenceFile, IsReadAsItWasWritten) {
     EXPECT_LT(present, read.pixel.size());
 }
 
-/// A reference of one pixel, all of whose channels are 1, but for what `spoil` does to the image.
+/// Writes a reference of one pixel whose channels are all 1, after `spoil` has changed the image.
 std::filesystem::path write_spoilt(const TemporaryDirectory& folder,
                                    const std::function<void(common::Image&)>& spoil) {
     const std::vector<common::VisibleSurface> pixels(1);

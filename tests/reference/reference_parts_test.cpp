@@ -1,4 +1,4 @@
-// The pieces that the reference is made of, each by itself.
+// Tests the parts of the reference separately.
 #include "common/reference/direction_choice.h"
 #include "common/reference/directions.h"
 #include "common/reference/expected_light.h"
@@ -19,20 +19,20 @@ constexpr std::uint64_t draws = count_for(1'000'000, 100'000);
 // --- random numbers
 
 TEST(ReferenceRandom, IsThreefry) {
-    // Threefry4x32-20 of counter 0 and key 0: the known answer that comes with Random123.
+    // Threefry4x32-20 of counter 0 and key 0: the known answer that is part of Random123.
     const std::array<std::uint32_t, 4> bits = {0x9c6ca96a, 0xe17eae66, 0xfc10ecd4, 0x5256a7d8};
     RandomStream stream(0, 0, 0, 0);
     for (const std::uint32_t b : bits) EXPECT_EQ(stream.next(), (b + 0.5) / 4294967296.0);
 }
 
-/// Chance of counts as uneven as these if all cells are equally likely.
+/// Returns the probability of counts at least as uneven as these, if all cells are equally likely.
 double chance_of(const std::vector<std::uint64_t>& counts, std::uint64_t total) {
     const std::vector<double> expected(counts.size(),
                                        static_cast<double>(total) / static_cast<double>(counts.size()));
     return chi_square_tail(chi_square(counts, expected), static_cast<int>(counts.size()) - 1);
 }
 
-/// Pairs of numbers that must have nothing to do with each other, over all cells of the unit square.
+/// Draws pairs of numbers that must be independent, and counts them in all cells of the unit square.
 template <class Draw>
 void expect_independent(const char* what, Draw draw) {
     constexpr std::size_t side = 17;
@@ -94,15 +94,15 @@ TEST(ReferenceStrata, EachCellIsTakenOnceInEveryPass) {
     }
 }
 
-/// Taken over many passes, where the direction points says nothing about where the light is sampled, and the
-/// place inside a cell is uniform.
+/// Over many passes, the direction is independent of the position on the light, and the position inside a
+/// cell is uniform.
 TEST(ReferenceStrata, ArePairedAtRandom) {
     std::vector<std::uint64_t> pairs(8 * 8 * 8 + 1), inside(289);
     std::uint64_t total = 0;
     for (std::uint32_t pass = 0; pass < draws / samples_per_pass; ++pass) {
         const PassStrata strata(1, 0, pass);
         const std::uint32_t i =
-            pass % samples_per_pass;  // one of each pass: they are not independent within it
+            pass % samples_per_pass;  // one per pass, as samples of a pass are not independent
         RandomStream stream(1, 0, pass, i);
         const FirstNumbers n = strata.numbers(i, stream);
         const auto eighth = [](double x) { return static_cast<std::size_t>(x * 8); };
@@ -116,7 +116,7 @@ TEST(ReferenceStrata, ArePairedAtRandom) {
     pairs.pop_back();
     const std::vector<double> expected(pairs.size(),
                                        static_cast<double>(total) / static_cast<double>(pairs.size()));
-    // 511 degrees of freedom: for so many, chi-square is normal after its cube root (Wilson and Hilferty).
+    // With 511 degrees of freedom, the cube root of chi-square is practically normal (Wilson and Hilferty).
     const double d = 511, ratio = std::cbrt(chi_square(pairs, expected) / d);
     EXPECT_LT((ratio - (1 - 2 / (9 * d))) / std::sqrt(2 / (9 * d)), z_for(1e-5));
     EXPECT_GT(chance_of(inside, total), 1e-5);
@@ -128,7 +128,7 @@ TEST(ReferenceDirections, FollowTheCosine) {
     std::mt19937 engine(1);
     std::uniform_real_distribution<double> uniform(0, 1);
     for (const Vec3& axis : {Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(1, -2, 3).normalized()}) {
-        // cos^2 of the angle to the axis and the turn about it are uniform.
+        // The squared cosine to the axis and the azimuth about it are uniform.
         const common::Frame frame(axis);
         std::vector<std::uint64_t> counts(17 * 17);
         for (std::uint64_t i = 0; i < draws; ++i) {
@@ -171,14 +171,14 @@ TEST(ReferenceDirections, AimedOnesKnowTheirDensity) {
         Sample cosine_over_density;
         constexpr std::uint64_t aimed = draws / 2;
         for (std::uint64_t i = 0; i < draws; ++i) {
-            // The first half of the square is aimed.
+            // The first half of the square is used for aimed directions.
             const double first = i < aimed ? 0.5 * stream.next() : 0.5 + 0.5 * stream.next();
             const Vec3 towards = choice.choose({first, stream.next()});
             const double density = choice.density(towards);
             outside += i < aimed && density < least_inside;
             cosine_over_density.add(std::max(0.0f, towards.z) / pi / density);
         }
-        // Floats round the outermost ones out of the smallest cones.
+        // Rounding in floats moves the outermost ones out of the smallest cones.
         EXPECT_LE(static_cast<double>(outside), 1e-2 * static_cast<double>(aimed)) << "radius " << radius;
         EXPECT_NEAR(cosine_over_density.mean(), 1, 5 * cosine_over_density.standard_error())
             << "radius " << radius;
@@ -212,7 +212,7 @@ TEST(ReferenceMean, GoesOnFromItsFloatsAsIfItHadNotStopped) {
         const double value = values(engine);
         whole.add(value, i);
         stopped.add(value, i);
-        // What a file keeps.
+        // These four floats are what a file keeps.
         const volatile float kept[4] = {stopped.mean().high, stopped.mean().low, stopped.variance().high,
                                         stopped.variance().low};
         stopped = {{kept[0], kept[1]}, {kept[2], kept[3]}};
@@ -229,7 +229,7 @@ TEST(ReferenceMean, PairHoldsWhatOneFloatCannot) {
 
 // --- lights
 
-/// A floor with a point that all kinds of light are placed around at random.
+/// Makes a floor with a point, and all kinds of light around it at random.
 Scene random_lights(std::mt19937& engine, std::size_t count) {
     std::uniform_real_distribution<float> uniform(-1, 1);
     const auto anywhere = [&] { return Vec3(uniform(engine), uniform(engine), uniform(engine)) * 2.0f; };
@@ -301,7 +301,7 @@ TEST(ReferenceLights, AreChosenWithTheProbabilityThatIsSaid) {
 TEST(ReferenceLights, NarrowSpotsFallOffByTheirAngle) {
     for (const double degrees : {1e-3, 0.02, 0.3, 3.5}) {
         const double angle = degrees * pi / 180, versine = 2 * std::pow(std::sin(angle / 2), 2);
-        // The ramp takes the outer half of 1 - cosine.
+        // The ramp covers the outer half of 1 - cosine.
         const common::SpotLight spot{{0, 0, 0}, Vec3(0, 0, -1), Rgb(1, 1, 1), 1 - versine / 2, 1 - versine};
         const auto at = [&](double share) {  // of the outer 1 - cosine
             const double off_axis = 2 * std::asin(std::sqrt(share * versine / 2));
@@ -418,7 +418,7 @@ TEST(StraightLine, MultipliesWhatEachSurfaceLetsThrough) {
     expect_part(part_that_arrives(rays, below, up, std::numeric_limits<float>::infinity()), V3d(0, 0, 0));
     expect_part(part_that_arrives(rays, {0.1f, 2.5f, 0.2f}, -up, std::numeric_limits<float>::infinity()),
                 V3d(1, 0.5, 0.25) * (0.75 * sheet));
-    // Ends on a sheet, or within rounding of it.
+    // The ray ends on a sheet, or within rounding of it.
     for (const float reach : {0.5f, 0.5f + 1e-7f, 0.5f - 1e-7f}) {
         const V3d part = part_that_arrives(rays, below, up, reach);
         EXPECT_TRUE(part == V3d(1, 1, 1) || part == V3d(0.75)) << part;

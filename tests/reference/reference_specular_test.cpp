@@ -1,4 +1,4 @@
-// What the reference says where the answer is known: light by way of mirrors and glass.
+// Tests the reference where the answer is known: light by way of mirrors and glass.
 #include "common/reference/directions.h"
 #include "common/reference/specular.h"
 #include "common/tracer/scatter.h"
@@ -15,7 +15,7 @@ constexpr std::uint64_t passes = count_for(65, 17);
 
 const Material black = diffuse(Rgb(0, 0, 0));
 
-/// The same triangles with their own normals and no vertex in common.
+/// Returns the same triangles with their geometric normals and no shared vertices.
 Mesh faceted(const Mesh& mesh) {
     Mesh flat;
     for (const auto& [i, j, k] : mesh.triangle) {
@@ -26,7 +26,7 @@ Mesh faceted(const Mesh& mesh) {
     return flat;
 }
 
-/// A box that faces outwards.
+/// Adds a box that faces outwards.
 void add_block(Scene& scene, const Vec3& low, const Vec3& high, const Material& material) {
     for (Mesh wall : box_walls(low, high)) {
         for (auto& [i, j, k] : wall.triangle) std::swap(j, k);
@@ -66,14 +66,14 @@ TEST(ReferenceMirror, MayEmitItself) {
 
 // --- glass
 
-/// Of light that meets a plate at this cosine, after all reflections inside it: (1 - R) / (1 + R), with R of
-/// one face by Fresnel's own two formulae (1823), of sines and tangents.
+/// Returns the transmittance of a plate at this cosine with all reflections inside it: (1 - R) / (1 + R),
+/// with R of one face by Fresnel's two formulae (1823), of sines and tangents.
 double through_plate(double cosine, double index) {
     const double angle = std::acos(cosine), bent = std::asin(std::sin(angle) / index);
     const auto plate = [](double r) { return (1 - r) / (1 + r); };
     const double s = std::sin(angle - bent) / std::sin(angle + bent);
     const double p = std::tan(angle - bent) / std::tan(angle + bent);
-    // Each polarisation would go its own way; the suite's surfaces mix them anew at each face.
+    // Physically, each polarisation is transmitted separately; here, surfaces mix them at each face.
     return plate(0.5 * (s * s + p * p));
 }
 
@@ -95,7 +95,7 @@ TEST(ReferenceGlass, PlateLetsThroughWhatItDoesNotReflect) {
     expect_irradiance(trace_reference(scene, std::span(&point, 1), seed, 4 * passes - 3), std::span(all));
 }
 
-/// Emits 1 and reflects half: radiance 2 everywhere.
+/// Makes a box that emits 1 and reflects half, so that radiance is 2 everywhere.
 Scene furnace() {
     return closed_box(diffuse(Rgb(0.5f, 0.5f, 0.5f), Rgb(1, 1, 1)));
 }
@@ -112,8 +112,8 @@ TEST(ReferenceGlass, ChangesNothingInAFurnace) {
     }
 }
 
-/// In glass, radiance is its square index times what it is outside. A plate that emits as it should there,
-/// half of that, leaves the furnace as it is.
+/// In glass, radiance is its squared index times the radiance outside. A plate that emits half of that inside
+/// does not change the furnace.
 TEST(ReferenceGlass, HoldsRadianceByTheSquareOfItsIndex) {
     constexpr float index = 1.5f, inside = 2 * index * index;
     Scene scene = furnace();
@@ -136,7 +136,7 @@ TEST(ReferenceGlass, HoldsRadianceByTheSquareOfItsIndex) {
 
 constexpr std::size_t room_points = count_for(10'000, 500);
 
-/// White walls of half albedo, one of them emitting, round a coarse sphere with smooth normals.
+/// Makes white walls of albedo one half, one of them emitting, around a coarse sphere with smooth normals.
 Scene room_with_sphere(const Material& material) {
     Scene scene;
     const auto walls = box_walls({-1, -1, -1}, {1, 1, 1});
@@ -146,14 +146,14 @@ Scene room_with_sphere(const Material& material) {
     return scene;
 }
 
-/// Smooth normals on coarse facets bend light about a normal that is not the surface's own, and still lose
-/// none.
+/// Smooth normals on coarse facets deflect light about a normal that is not the surface's own, but no energy
+/// may be lost.
 TEST(ReferenceMirror, KeepsTheEnergyWithSmoothNormals) {
     expect_closed_room(room_with_sphere(mirror()), fronts(0, 12), 4 * pi, 0.5, room_points);
 }
 
-/// Facets that bend light like a round ball may hold some of it for good. How much reaches the walls is what
-/// the photon tracer says.
+/// Facets that refract light like a round ball may trap some of it. The photon tracer tells how much reaches
+/// the walls.
 TEST(ReferenceGlass, GivesTheWallsWhatPhotonsDoWithSmoothNormals) {
     const Scene scene = room_with_sphere(glass());
     struct FluxSum {
@@ -174,9 +174,9 @@ TEST(ReferenceGlass, GivesTheWallsWhatPhotonsDoWithSmoothNormals) {
                 z_for(1e-5) * std::hypot(points.standard_error(), photons.standard_error()));
 }
 
-// --- against the photon tracer's own rules
+// --- comparison with the photon tracer's scattering
 
-/// One triangle whose vertex normals lean every which way.
+/// Makes one triangle whose vertex normals are tilted in different directions.
 Scene crooked(const Material& material) {
     Mesh mesh;
     mesh.position = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -188,7 +188,7 @@ Scene crooked(const Material& material) {
     return scene;
 }
 
-/// Features of a pair of directions, all but linear in them.
+/// Returns features of a pair of directions: indicators of their sides, and products of cosines.
 std::array<double, 8> features(const V3d& arriving_from, const V3d& leaving) {
     const V3d a = V3d(1, 2, 3).normalized(), b = V3d(-2, 1, 0.5).normalized();
     const double i = arriving_from.dot(a), o = leaving.dot(b);
@@ -198,8 +198,8 @@ std::array<double, 8> features(const V3d& arriving_from, const V3d& leaving) {
         i * o, i * i * o * o};
 }
 
-/// Light of radiance 1 from everywhere, sorted by where it comes from and goes to: photons and adjoint must
-/// say the same. Of eight features in two materials at five places one fails by chance with probability 1e-5.
+/// Light of radiance 1 from everywhere is sorted by its incoming and outgoing directions: photons and adjoint
+/// must agree. Of eight features in two materials at five places, one fails by chance with probability 1e-5.
 TEST(ReferenceSpecular, IsTheAdjointOfThePhotonTracer) {
     using common::reference::cosine_direction;
     const std::uint64_t count = count_for(1'000'000, 20'000);
@@ -221,7 +221,7 @@ TEST(ReferenceSpecular, IsTheAdjointOfThePhotonTracer) {
                 const auto u = static_cast<float>(uniform(engine));
                 if (const auto photon = common::scatter(scene, place, -from, Rgb(1, 1, 1), {0, 0, 0, u}))
                     by_photon = features(V3d(from), V3d(photon->direction));
-                // Glass of index n holds n^2 of the radiance outside; here it has radiance 1 as well.
+                // Glass of index n has n^2 times the radiance outside; here it also has radiance 1.
                 if (const auto arrival = specular_arrival(scene, place, to, uniform(engine))) {
                     by_adjoint = features(V3d(arrival->towards), V3d(to));
                     for (double& feature : by_adjoint) feature *= arrival->factor;

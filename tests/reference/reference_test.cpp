@@ -1,4 +1,4 @@
-// What the reference says where the answer is known: light by straight lines and by diffuse reflection.
+// Tests the reference where the answer is known: direct light and diffuse reflection.
 #include "tests/support/reference_tracing.h"
 
 namespace {
@@ -14,12 +14,12 @@ Material panel(float radiance) {
     return diffuse(Rgb(0, 0, 0), Rgb(radiance, radiance, radiance));
 }
 
-/// 4 x 4 in the plane y = 0, facing up.
+/// Makes a floor of 4 x 4 in the plane y = 0, facing up.
 Mesh floor_mesh() {
     return quad({-2, 0, -2}, {0, 0, 4}, {4, 0, 0});
 }
 
-/// Points on the floor, which must be the scene's first mesh.
+/// Returns points on the floor, which must be the scene's first mesh.
 std::vector<SurfacePoint> on_floor(const Scene& scene, std::initializer_list<Vec2> xz) {
     std::vector<SurfacePoint> points;
     for (const Vec2& p : xz) points.push_back(front_of(scene, on_quad(0, (p.y + 2) / 4, (p.x + 2) / 4)));
@@ -39,7 +39,7 @@ TEST(ReferenceFurnace, IsRightAtEveryTilt) {
         for (int i = 0; i < 10; ++i) {
             const double tilt = degrees * pi / 180;
             points.push_back(tilted(random_point(furnace, fronts(0, 12), engine), tilt, turn(engine)));
-            // The wall hides the rest of a tilted plane's hemisphere.
+            // The wall covers the rest of a tilted plane's hemisphere.
             const double open = pi * (1 + std::cos(tilt)) / 2;
             expected.emplace_back(open / (1 - 0.8), open / (1 - 0.5), open / (1 - 0.2));
         }
@@ -57,8 +57,8 @@ TEST(ReferencePanel, ParallelToTheFloor) {
     std::vector<double> expected;
     for (const SurfacePoint& p : points)
         expected.push_back(3 * lambert(lamp.position, p.position, p.shading_normal));
-    // Above the middle, from the catalogue of form factors (Howell, configuration B-4): four corners of a / c
-    // = 1/2.
+    // For a point below the middle, the catalogue of form factors gives four corners with a / c = 1/2
+    // (Howell, configuration B-4).
     const double x = 0.5 / std::sqrt(1.25);
     EXPECT_NEAR(expected[0], 3 * pi * 4 / (2 * pi) * 2 * x * std::atan(x), 1e-6);
     expect_irradiance(trace_reference(scene, points, seed, passes), expected);
@@ -90,8 +90,8 @@ TEST(ReferencePanel, MeetsTheFloorInACorner) {
         expected.push_back(lambert(wall.position, p.position, p.shading_normal));
     const ReferenceSums sums = trace_reference(scene, points, seed, passes);
     expect_irradiance(sums, expected);
-    // Half the sky is the panel: chance meets it as often as not, and the weights keep near places from
-    // blowing up.
+    // The panel covers half the sky, so sampled directions hit it every other time. The weights bound the
+    // contributions of near points on it.
     EXPECT_LT(std::sqrt(variance(sums, 0, 0) * static_cast<double>(passes)), 0.2 * expected[0]);
 }
 
@@ -121,7 +121,7 @@ TEST(ReferencePanel, WithATextureShinesAsTheTextureSays) {
         common::ColorSpace::linear, common::Wrap::clamp_to_edge, common::Wrap::clamp_to_edge);
     const auto points = on_floor(scene, {{-0.6f, -0.6f}, {0.8f, 0.1f}});
     std::vector<V3d> expected;
-    constexpr int steps = 400;  // midpoint rule: off by 1e-5 of the smooth pieces
+    constexpr int steps = 400;  // midpoint rule: error 1e-5 for the smooth pieces
     for (const SurfacePoint& p : points) {
         V3d sum(0, 0, 0);
         for (int i = 0; i < steps * steps; ++i) {
@@ -138,7 +138,7 @@ TEST(ReferencePanel, WithATextureShinesAsTheTextureSays) {
 }
 
 TEST(ReferencePanel, WithASmallBrightSpotIsNoNoisierThanTheSpot) {
-    // Two texels of 64 each way are bright, with black around them; clamping keeps the edges' halves.
+    // Of 64 x 64 texels, 2 x 2 are bright and the others black. Clamping keeps the halves at the edges.
     std::vector<std::uint8_t> pixels(3 * 64 * 64, 0);
     for (const int texel : {64 * 20 + 40, 64 * 20 + 41, 64 * 21 + 40, 64 * 21 + 41})
         for (int c = 0; c < 3; ++c) pixels[static_cast<std::size_t>(3 * texel + c)] = 255;
@@ -159,10 +159,11 @@ TEST(ReferencePanel, WithASmallBrightSpotIsNoNoisierThanTheSpot) {
                         of_twin = trace_reference(twin, on_floor(twin, places), seed, passes);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const double noise = std::sqrt(variance(sums, i, 0)), expected = estimate(of_twin, i, 0);
-        // The twin's edges are sharp; seen from a metre that is a thousandth.
+        // The twin has sharp edges; from a distance of 1 the difference is a thousandth.
         EXPECT_NEAR(estimate(sums, i, 0), expected,
                     t_for(1e-6, static_cast<int>(passes) - 1) * noise + 2e-3 * expected);
-        // Uniform places would have, with one sample in a thousand on the spot, 32 times the value in each.
+        // With uniform positions, one sample in a thousand would hit the spot, and a sample's deviation would
+        // be 32 times the mean.
         EXPECT_LT(noise * std::sqrt(64.0 * static_cast<double>(passes)), 1.5 * expected);
     }
 }
@@ -209,8 +210,8 @@ TEST(ReferenceLamp, SunArrivesFromWhereItIsNotHidden) {
     std::vector<SurfacePoint> points = on_floor(scene, {{1, 0}, {-1, 0}, {1, 1}});
     const double up = -static_cast<double>(down.y);
     std::vector<V3d> expected = {V3d(1, 2, 3) * up, V3d(0, 0, 0), V3d(1, 2, 3) * up};
-    // A normal may lean towards a sun that stands below the surface, and sees none of it. The point floats,
-    // so that nothing else hides the sun.
+    // A normal may tilt towards a sun below the surface, whose light does not arrive. The point floats, so
+    // nothing else hides the sun.
     points.push_back(points[0]);
     points.back().position.y += 0.5f;
     points.back().geometric_normal = Vec3(0, 0.1f, 1).normalized();
@@ -280,7 +281,7 @@ TEST(ReferenceSky, IsHiddenByWhatStandsBeforeIt) {
 
 constexpr std::size_t room_points = count_for(10'000, 2'000);
 
-/// Where a tessellated sphere differs from a round one is its area alone.
+/// A tessellated sphere differs from a round one only in its area.
 TEST(ReferenceRoom, SphereIntegrates) {
     for (const float albedo : {0.0f, 0.5f, 0.8f}) {
         Scene scene;
@@ -309,7 +310,7 @@ TEST(ReferenceRoom, WithThingsInIt) {
 
 // --- the reported variance
 
-/// On average over seeds, the square of the error is the variance that is reported with it.
+/// Averaged over seeds, the squared error must equal the reported variance.
 TEST(ReferenceVariance, IsThatOfTheErrors) {
     Scene corner;
     add(corner, floor_mesh(), black);

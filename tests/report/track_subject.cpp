@@ -3,7 +3,7 @@
 
 namespace {
 
-/// Eight instructions and the loop's own.
+/// Executes eight instructions and those of the loop itself.
 void work(std::int64_t rounds) {
     for (std::int64_t i = 0; i < rounds; ++i) asm volatile("nop\nnop\nnop\nnop\nnop\nnop\nnop\nnop\n");
 }
@@ -12,7 +12,7 @@ void plain(benchmark::State& state) {
     for (auto _ : state) work(state.range(0));
 }
 
-/// A million rounds outside the clock.
+/// Executes a million rounds outside the timed part.
 void paused(benchmark::State& state) {
     for (auto _ : state) {
         work(state.range(0) / 2);

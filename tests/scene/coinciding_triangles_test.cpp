@@ -1,4 +1,4 @@
-// Which triangles lie over others in the same plane, and how much of them.
+// Tests which triangles lie over others in the same plane, and the area of the overlap.
 #include "common/scene/coinciding_triangles.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using common::CoincidingTriangles;
 using common::common_area;
 using common::TriangleCorners;
 
-/// For scenes whose coordinates are a few units: some of their rounding errors.
+/// A few rounding errors for scenes whose coordinates are a few units.
 constexpr float tolerance = 4e-6f;
 
 const Material plain = diffuse(Rgb(0.5f, 0.5f, 0.5f));
@@ -49,7 +49,7 @@ Mesh reversed(Mesh mesh) {
     return mesh;
 }
 
-/// `side` x `side` quads, each with vertices of its own.
+/// Makes `side` x `side` quads with separate vertices.
 Mesh tiles(int side) {
     Mesh all{"tiles", {}, {}, {}, {}, 1, {}};
     const auto at = [side](int i) { return static_cast<float>(i) / static_cast<float>(side); };
@@ -79,7 +79,7 @@ TEST(CommonArea, OfTrianglesInOnePlane) {
     EXPECT_DOUBLE_EQ(common_area(a, triangle({0, 0, 0}, {1, 0, 0}, {1, 1, 0}), 1e-6), 0.25);
     EXPECT_DOUBLE_EQ(common_area(a, triangle({0.25, 0.25, 0}, {0.5, 0.25, 0}, {0.25, 0.5, 0}), 1e-6),
                      0.03125);
-    // A star of six points: the hexagon in its middle has two thirds of a triangle's area.
+    // The overlap is the hexagon in the middle of a six-pointed star: two thirds of a triangle's area.
     const float h = std::sqrt(3.0f);
     const TriangleCorners up = triangle({-1, 0, 0}, {1, 0, 0}, {0, h, 0}),
                           down = triangle({-1, h * 2 / 3, 0}, {0, -h / 3, 0}, {1, h * 2 / 3, 0});
@@ -133,7 +133,7 @@ TEST(CoincidingTriangles, NearPlanesAreNone) {
 
 // --- some
 
-/// In every direction, normals at the borders of the search's cells among them.
+/// Expects the result in random orientations, which include normals at the borders of the search's cells.
 void expect_found(const Scene& scene, std::size_t triangles, std::size_t covering, double area) {
     std::mt19937 engine(1);
     std::uniform_real_distribution<float> turn(0, 6.28f);
@@ -173,7 +173,7 @@ TEST(CoincidingTriangles, AreasCountOnce) {
     expect_found(scene_of({unit_quad, unit_quad, unit_quad}), 6, 4, 2);
 }
 
-/// Triangles of all sizes in three planes.
+/// Makes triangles of all sizes in three planes.
 Scene random_triangles(std::uint32_t count) {
     std::mt19937 engine(7);
     std::uniform_real_distribution<float> uniform(0, 1);
@@ -223,7 +223,7 @@ TEST(CoincidingTriangles, AreThoseOfABruteSearchOnAnyNumberOfThreads) {
     }
 }
 
-// All over each other: comparing each with each would take seconds, and minutes where there are more.
+// All overlap: comparing each with each takes seconds here, and minutes for larger numbers.
 TEST(CoincidingTriangles, AreTakenForItWhereTheyAreTooManyToCompare) {
     constexpr std::uint32_t count = 3000;
     std::mt19937 engine(3);

@@ -1,4 +1,4 @@
-// How much of a surface is there.
+// Tests the coverage of surfaces by their alpha.
 #include "common/scene/coverage.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(Coverage, MultipliesFactorTextureAndVertices) {
     EXPECT_EQ(scene.texture[0].sample({0.5f, 0.5f}), Rgb(1, 1, 1)) << "alpha is no part of the colour";
 }
 
-// Filtering rounds: an alpha of 1 everywhere must not fall below a cutoff of 1 here and there.
+// Filtering rounds: an alpha of 1 everywhere must not fall below a cutoff of 1 in places.
 TEST(Coverage, HasNoPinholesWhereAlphaIsTheCutoff) {
     std::mt19937 engine(1);
     std::uniform_real_distribution<float> uniform(0, 1);

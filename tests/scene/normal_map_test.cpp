@@ -8,9 +8,10 @@ namespace {
 
 using namespace tests;
 
-constexpr float half_texel = 128.0f / 255 * 2 - 1;  // the nearest that 8 bits come to 0
+constexpr float half_texel = 128.0f / 255 * 2 - 1;  // the value of 8 bits that is nearest to 0
 
-/// A quad in the plane z = 0 that faces +z, with these texture coordinates and a normal map of one texel.
+/// Makes a quad in the plane z = 0 that faces +z, with these texture coordinates and a normal map of one
+/// texel.
 Scene mapped(const std::array<std::uint8_t, 3>& texel, const std::vector<Vec2>& uv, float scale = 1) {
     Mesh mesh = quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     mesh.texcoord[0] = uv;
@@ -29,11 +30,11 @@ void add_tangents(Scene& scene, const Vec3& tangent, float sign) {
     std::fill(scene.tangent_sign.begin(), scene.tangent_sign.end(), sign);
 }
 
-/// An image as it hangs on the wall: u to the right, v down.
+/// The orientation of an image on a wall: u to the right, v down.
 const std::vector<Vec2> upright = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
 /// Its mirror image: u to the left, v down.
 const std::vector<Vec2> mirrored = {{1, 1}, {0, 1}, {0, 0}, {1, 0}};
-/// Turned by a quarter: u up, v to the right.
+/// Rotated by a quarter turn: u up, v to the right.
 const std::vector<Vec2> turned = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
 
 Vec3 shading_normal(const Scene& scene, const Vec3& direction = {0, 0, -1}) {
@@ -84,8 +85,8 @@ TEST(NormalMap, AgreesWithTheFilesTangents) {
 }
 
 TEST(NormalMap, FollowsAnyChart) {
-    // Against the derivatives of position by texture coordinate, for charts turned, sheared and mirrored at
-    // random.
+    // Compares with the derivatives of position by texture coordinate, for randomly rotated, sheared and
+    // mirrored charts.
     constexpr unsigned seed = 1;
     std::mt19937 engine(seed);
     std::uniform_real_distribution<float> uniform(-1, 1);
@@ -100,7 +101,7 @@ TEST(NormalMap, FollowsAnyChart) {
         const Vec3 along_v = Vec3(-u_of_xy.y, u_of_xy.x, 0) / determinant;
         const Vec3 red = shading_normal(mapped({230, 128, 200}, uv)),
                    green = shading_normal(mapped({128, 230, 200}, uv));
-        // The texel's other channel is not quite 0: allow for its 0.004.
+        // The texel's other channel is not exactly 0, but 0.004.
         EXPECT_GT(Vec3(red.x, red.y, 0).normalized().dot(along_u.normalized()), 0.9999f) << "seed " << seed;
         EXPECT_LT(green.dot(along_v), 0) << "green points to decreasing v, seed " << seed;
     }
@@ -120,9 +121,9 @@ TEST(NormalMap, FollowsMovedTextureCoordinates) {
     Scene scene = mapped(texel, upright);
     scene.material[0].normal_texture.transform = quarter;
     const float red = 200.0f / 255 * 2 - 1, green = 230.0f / 255 * 2 - 1;
-    expect_near(shading_normal(scene), {green, -red, red});  // the image turned clockwise: up in it is +x
+    expect_near(shading_normal(scene), {green, -red, red});  // the image rotated clockwise: up in it is +x
     add_tangents(scene, {1, 0, 0}, 1);
-    expect_near(shading_normal(scene), {red, green, red});  // the file's tangents say it all
+    expect_near(shading_normal(scene), {red, green, red});  // the file's tangents replace that
 }
 
 TEST(NormalMap, ScalesTheTilt) {
@@ -152,7 +153,7 @@ TEST(NormalMap, StandsOnTheSmoothNormal) {
     const Vec3 smooth = Vec3(0.3f, 0, 1).normalized();
     std::fill(scene.normal.begin(), scene.normal.end(), smooth);
     const float red = 230.0f / 255 * 2 - 1, blue = 200.0f / 255 * 2 - 1;
-    const Vec3 tangent = Vec3(1, 0, -0.3f).normalized();  // u made perpendicular to the normal
+    const Vec3 tangent = Vec3(1, 0, -0.3f).normalized();  // u, made perpendicular to the normal
     expect_near(shading_normal(scene), tangent * red + Vec3(0, 1, 0) * half_texel + smooth * blue);
 }
 

@@ -1,4 +1,4 @@
-// Which triangles are one surface, and which surfaces meet.
+// Tests which triangles form one surface, and which surfaces meet.
 #include "common/scene/surface_pieces.h"
 
 #include <gtest/gtest.h>
@@ -11,12 +11,12 @@ using common::SurfacePieces;
 using common::Vec3;
 using namespace tests;
 
-/// In the plane at `height`, looking up, from (x, 0) to (x + 1, 1).
+/// Makes a tile from (x, 0) to (x + 1, 1) in the plane at `height`, facing up.
 Mesh tile(float x, float height = 0) {
     return quad({x, height, 1}, {1, 0, 0}, {0, 0, -1});
 }
 
-/// The same place looking down.
+/// Makes the tile at the same position, facing down.
 Mesh tile_from_below(float x) {
     return quad({x, 0, 0}, {1, 0, 0}, {0, 0, 1});
 }
@@ -27,7 +27,7 @@ Scene scene_of(const std::vector<Mesh>& meshes) {
     return scene;
 }
 
-/// A strip that comes up to x = 1 at this slope, in degrees, and is flat before.
+/// Makes a strip that ends at x = 1 with this slope in degrees, and is flat before.
 Mesh slope(double degrees) {
     const auto turned = static_cast<float>(degrees * pi / 180);
     return quad({1, 0, 1}, {std::cos(turned), std::sin(turned), 0}, {0, 0, -1});
@@ -76,7 +76,7 @@ TEST(SurfacePieces, GoOnWhereTheNextTriangleGoesRoundTheOtherWay) {
 }
 
 TEST(SurfacePieces, TellTheSidesOfARecessFromItsBottom) {
-    // A floor, a step of a millimetre down at x = 1, the floor of the recess.
+    // A floor, a step down of 0.001 at x = 1, and the floor of the recess.
     const Mesh riser = quad({1, -0.001f, 1}, {0, 0.001f, 0}, {0, 0, -1});
     const SurfacePieces pieces(scene_of({tile(0), riser, tile(1, -0.001f)}));
     ASSERT_EQ(pieces.count(), 3u);
@@ -86,7 +86,7 @@ TEST(SurfacePieces, TellTheSidesOfARecessFromItsBottom) {
 }
 
 TEST(SurfacePieces, OfManyTrianglesAtOneEdgeAreFoundInTime) {
-    // A book of 100,000 leaves with one spine: compared each with each, it would take minutes.
+    // A book of 100,000 leaves with one spine: comparing each with each would take minutes.
     Mesh book;
     book.position = {{0, 0, 0}, {0, 1, 0}};
     for (std::uint32_t leaf = 0; leaf < 100'000; ++leaf) {

@@ -14,7 +14,7 @@ using common::Texture;
 using common::Vec2;
 using common::Wrap;
 
-/// Two pixels side by side, black and white.
+/// Makes two pixels side by side, black and white.
 Texture black_white(Wrap wrap, ColorSpace color_space = ColorSpace::linear) {
     return {"black_white", 2, 1, {0, 0, 0, 255, 255, 255}, color_space, wrap, wrap};
 }

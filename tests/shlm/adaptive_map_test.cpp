@@ -1,4 +1,4 @@
-// A light map whose blocks are as large and as simple as their light allows.
+// Tests light maps whose blocks are as large and as simple as the light allows.
 #include "shlm/adaptive/adaptive_map.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@ using shlm::PreparedTexels;
 
 const Material plain = diffuse(Rgb(0.5f, 0.5f, 0.5f));
 
-/// From (0, 0) to (1, 1) at z = 0, facing up. `bend`: slope of the vertex normals, alternating.
+/// Makes a floor from (0, 0) to (1, 1) at z = 0, facing up. `bend` is the slope of the vertex normals, which
+/// alternates.
 Scene floor_of(const Material& material, float bend = 0) {
     Scene scene;
     Mesh mesh = quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
@@ -35,7 +36,8 @@ SurfacePoint point_at(const Scene& scene, float s, float t) {
     return common::surface_point_at(scene, on_quad(0, s, t), {0, 0, -1});
 }
 
-/// Sums in which every texel has `hits(x, y)` hits of the same light, which give it that many W/m^2 / 1000.
+/// Makes sums in which every texel has `hits(x, y)` hits of the same light, each of which adds 1 / 1000
+/// W/m^2.
 template <class Hits>
 shlm::TexelSums<AdaptiveModel> sums_of(const PreparedTexels& texels, const Vec3& towards_light, Hits hits) {
     shlm::TexelSums<AdaptiveModel> sums(texels.geometry.size(), shlm::Quantum(Rgb(1, 1, 1) * 1e-3f));
@@ -47,7 +49,7 @@ shlm::TexelSums<AdaptiveModel> sums_of(const PreparedTexels& texels, const Vec3&
     return sums;
 }
 
-/// Of one watt for each unit of the sums.
+/// Makes a map with one watt per unit of the sums.
 AdaptiveMap map_of(const shlm::TexelSums<AdaptiveModel>& sums, const PreparedTexels& texels,
                    double wanted_error, bool smooth) {
     return {shlm::BlockSearch(sums, texels, 1), texels.layout, wanted_error, smooth};
@@ -94,7 +96,7 @@ TEST(AdaptiveMap, SmoothBlocksMeetHalfWay) {
         EXPECT_NEAR(map.irradiance(point_at(scene, s, 0.4f)).x, expected, 0.003) << s;
 }
 
-/// Photons of uniform light of 1 W/m^2, as they fall: `hits` of them are expected.
+/// Randomly distributed photons of uniform light of 1 W/m^2; `hits` of them are expected.
 struct RandomLight {
     Scene scene;
     PreparedTexels texels;
@@ -120,7 +122,7 @@ struct RandomLight {
 TEST(AdaptiveMap, NoiseIsNotStored) {
     const RandomLight light(0, 16384, 100'000, 1);
     const AdaptiveMap map = map_of(light.sums, light.texels, 0.02, false);
-    // A block of all 1e5 hits has noise of 0.3 %.
+    // A block of all 1e5 hits has a noise of 0.3 %.
     EXPECT_LE(std::accumulate(map.blocks().begin(), map.blocks().end(), std::size_t{0}), 4u);
     EXPECT_NEAR(map.irradiance(point_at(light.scene, 0.5f, 0.5f)).x, 1, 0.05);
 }
@@ -132,7 +134,7 @@ TEST(AdaptiveMap, AnErrorBelowTheNoiseIsNotPromised) {
     EXPECT_LE(std::accumulate(map.blocks().begin(), map.blocks().end(), std::size_t{0}), 200u);
 }
 
-/// The estimate of one block's error over many runs is what their errors are.
+/// The estimated error of one block must match the errors of many runs.
 TEST(AdaptiveMap, EstimatesItsError) {
     double error_sq = 0, estimate_sq = 0;
     constexpr unsigned runs = 100;

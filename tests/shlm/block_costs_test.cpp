@@ -1,4 +1,4 @@
-// What a map's blocks say of the noise of a hit, on surfaces whose noise is known.
+// Tests the estimate of the noise of a hit from a map's blocks, on surfaces of known noise.
 #include "shlm/adaptive/block_costs.h"
 
 #include <gtest/gtest.h>
@@ -15,16 +15,16 @@ namespace {
 
 using namespace tests;
 
-/// Hits that fall by chance, `hits_of(x, y)` of them in the mean on a whole texel there, every other one of
-/// `dim` of the flux of the rest.
+/// Randomly distributed hits; a whole texel at (x, y) has `hits_of(x, y)` of them on average. Every other hit
+/// has `dim` times the flux of the rest.
 struct Light {
-    float width;  ///< of a floor that is 1 deep
+    float width;  ///< width of a floor whose depth is 1
     std::size_t texels;
     double dim;
     std::function<double(float, float)> hits_of;
 };
 
-/// Relative variance of one hit's flux, plus one for their number.
+/// Returns the relative variance of one hit's flux, plus one for the variance of their number.
 double true_noise(double dim) {
     return 2 * (1 + dim * dim) / ((1 + dim) * (1 + dim));
 }
@@ -59,8 +59,9 @@ double eight(float /*x*/, float /*y*/) {
     return 8;
 }
 
-// 16,384 blocks of 32 hits: the lower quartile of chi-squared with three degrees has a standard deviation of
-// 1.2 % of itself over so many. Counts are whole numbers, and its tail is chi-squared's to some 4 %.
+// There are 16,384 blocks of 32 hits. The lower quartile of chi-squared with three degrees of freedom then
+// has a relative standard deviation of 1.2 %. Counts are integers, and their tail matches chi-squared's to
+// some 4 %.
 const double doubt = 0.04 + 0.012 * z_for(1e-6);
 
 TEST(LightStatistics, NoiseOfAHitIsFound) {
@@ -68,12 +69,12 @@ TEST(LightStatistics, NoiseOfAHitIsFound) {
         EXPECT_NEAR(estimated_noise({1, 65536, dim, eight}) / true_noise(dim), 1, doubt) << dim;
 }
 
-/// Every other block of a strip of three texels' width has two parts.
+/// Every other block of a strip three texels wide has two parts.
 TEST(LightStatistics, BlocksAtTheEdgesOfRegionsDoNotCountForMore) {
     EXPECT_NEAR(estimated_noise({3.0f / 16384, 3 * 16384, 0.2, eight}) / true_noise(0.2), 1, 2 * doubt);
 }
 
-/// A tenth of the light beyond every fifth row or so of blocks.
+/// The light changes between full strength and a tenth after about every five rows of blocks.
 TEST(LightStatistics, EdgesOfLightAreHardlyTakenForNoise) {
     const auto striped = [](float /*x*/, float y) {
         return static_cast<int>(y * 256) % 19 < 10 ? 16.0 : 1.6;

@@ -1,4 +1,4 @@
-// What the clamp of grazing hits costs a light map.
+// Tests how much light a light map loses by clamping grazing hits.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -26,7 +26,7 @@ ClampedLight clamped_by(const HitBatch& hits) {
     return clamped_by<Model>(texels_of(floor_scene(), 1), std::span(&hits, 1));
 }
 
-/// What ClampedLight counts, in W, and how far off rounding of `hits` hits may put it.
+/// The results of ClampedLight in W, and the tolerance for rounding of `hits` hits.
 struct Watts {
     double flux, discarded, tolerance;
 };
@@ -37,7 +37,7 @@ Watts in_watts(const ClampedLight& clamped, const HitBatch& hits) {
             0.51 * unit * static_cast<double>(hits.size())};
 }
 
-/// Unit, with exactly this cosine to the floor's normal.
+/// Returns a unit vector with exactly this cosine to the floor's normal.
 Vec3 with_cosine(float cosine) {
     return {std::sqrt(1 - cosine * cosine), 0, cosine};
 }
@@ -86,7 +86,7 @@ TEST(ClampedLight, IsNothingWhereTheSurfacesIrradianceDoesNotNeedTheCosine) {
         [&](auto model) { EXPECT_NEAR(clamped_by<decltype(model)>(hits).discarded_share(), 0.99, 1e-6); });
     for_each_order<ShWeight::flux>(
         [&](auto model) { EXPECT_EQ(clamped_by<decltype(model)>(hits).discarded_share(), 0); });
-    // What it keeps beside the shape is the exact sum.
+    // The sum that it keeps beside the shape is exact.
     for_each_order<ShWeight::normalised>([&](auto model) {
         EXPECT_EQ(clamped_by<decltype(model)>(hits).discarded_share(), 0) << model.order;
     });
@@ -102,7 +102,7 @@ TEST(ClampedLight, LeavesOutRejectedHits) {
     EXPECT_NEAR(watts.discarded, 0.5, watts.tolerance);
 }
 
-/// A room's hits, every seventh of them turned until it grazes its surface.
+/// Returns a room's hits, every seventh of which is rotated until it grazes its surface.
 HitBatch hits_with_grazing_ones(const Scene& room, std::uint64_t seed) {
     HitBatch hits = record(room, seed, {.photons = count_for(100'000, 20'000)}).hits;
     for (std::size_t i = 0; i < hits.size(); i += 7) {

@@ -41,7 +41,8 @@ double area_of(const PreparedTexels& texels) {
     return area;
 }
 
-/// A grid of n x n cells over (u, v) in the unit square, two triangles each; no vertex is shared.
+/// Makes a grid of n x n cells over (u, v) in the unit square, with two triangles each and no shared
+/// vertices.
 template <class Surface>
 Mesh grid_of(int n, Surface surface) {
     Mesh mesh;
@@ -65,7 +66,7 @@ Mesh flat_grid(int n) {
     return grid_of(n, [](float u, float v) { return Vec3(2 * u, v, 0); });
 }
 
-/// Open, its axis along y; radius and height are 1.
+/// Makes an open cylinder with its axis along y; radius and height are 1.
 Mesh cylinder(int n) {
     return grid_of(n, [](float u, float v) {
         const double angle = 2 * pi * u;
@@ -73,7 +74,7 @@ Mesh cylinder(int n) {
     });
 }
 
-/// Triangles of this size, anywhere in the unit cube, turned anyhow.
+/// Makes triangles of this size at random positions in the unit cube, with random orientations.
 Mesh confetti(int count, float size) {
     std::mt19937 engine(1);
     std::uniform_real_distribution<float> uniform(-1, 1);
@@ -89,7 +90,7 @@ Mesh confetti(int count, float size) {
     return mesh;
 }
 
-/// A square with a square hole that leaves a tenth at each side.
+/// Makes a square with a square hole, whose rim is a tenth wide on each side.
 Mesh frame() {
     Mesh mesh = joined(quad({0, 0, 0}, {1, 0, 0}, {0, 0.1f, 0}), quad({0, 0.9f, 0}, {1, 0, 0}, {0, 0.1f, 0}));
     mesh = joined(mesh, quad({0, 0.1f, 0}, {0.1f, 0, 0}, {0, 0.8f, 0}));
@@ -183,7 +184,7 @@ TEST(FaceCharts, RepeatedVerticesMakeNoDifference) {
         ASSERT_EQ(of_a.geometry[i].area, of_b.geometry[i].area);
 }
 
-/// Of all triangles of the scene.
+/// Returns the charts of all triangles of the scene.
 std::vector<TexelChart> charts_of_all(const Scene& scene, double texel_size) {
     std::vector<std::uint32_t> all(scene.triangle.size());
     std::iota(all.begin(), all.end(), 0u);
@@ -211,7 +212,7 @@ TEST(FaceCharts, FillAtLeastHalfTheirRectangles) {
 TEST(FaceCharts, WallsThatMeetOrFaceApartAreNotJoined) {
     EXPECT_EQ(by_face(closed_box(plain), 6000).layout.regions().size(), 6u);
 
-    // Two sheets nearer than a texel that look apart, joined at an edge.
+    // Two sheets closer than a texel that face away from each other, joined at an edge.
     Mesh sheets = quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     sheets = joined(sheets, quad({0, 0, -1e-4f}, {0, 1, 0}, {1, 0, 0}));
     EXPECT_EQ(by_face(scene_of(sheets), 200).layout.regions().size(), 2u);

@@ -20,7 +20,7 @@ using shlm::ShWeight;
 
 constexpr double degrees = pi / 180;
 
-/// A floor of 8 x 8 texels at z = 0, area 4.
+/// Makes a floor of 8 x 8 texels at z = 0, with area 4.
 Scene sheet(const Material& material) {
     Scene scene;
     add(scene, quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), material);
@@ -31,8 +31,8 @@ Vec3 direction_in_xz(double angle) {
     return {static_cast<float>(std::sin(angle)), 0, static_cast<float>(std::cos(angle))};
 }
 
-/// Collimated light on the sheet that gives a plane facing it the irradiance (1, 2, 3): hits on a fine grid
-/// that puts the same number into each texel.
+/// Makes collimated light on the sheet that gives a plane facing it the irradiance (1, 2, 3). Hits are on a
+/// fine grid with the same number in each texel.
 HitBatch collimated_light(const Vec3& towards_light) {
     constexpr int side = 64;
     HitBatch hits;
@@ -89,8 +89,8 @@ TEST(LightMap, OneTracedLightGivesTheTruncatedKernel) {
     common::SurfacePoint point = front_of(scene, on_quad(0, 0.5f, 0.5f));
     point.shading_normal = direction_in_xz(-10 * degrees);
     for (const auto& texel : map.texels()) irradiance.add(texel.irradiance(point.shading_normal).y);
-    // All photons carry the same flux in the same direction: the mean over the texels has the noise of their
-    // number.
+    // All photons carry the same flux in the same direction, so the mean over the texels only has the noise
+    // of their number.
     const double expected = 3 * kernel(std::cos(50 * degrees));
     const double error = expected / std::sqrt(static_cast<double>(report.hits));
     EXPECT_NEAR(irradiance.mean(), expected, z_for(1e-4) * error) << "seed " << seed;
@@ -155,8 +155,8 @@ TEST(LightMap, KnowsNothingFarFromItsTexels) {
 }
 
 TEST(LightMap, EveryLitPointHasATexelInReach) {
-    // A floor and a small plate in one mesh, the plate with nearly all of the lightmap: the mean texel is far
-    // smaller than the floor's.
+    // A floor and a small plate are in one mesh, and the plate has nearly all of the lightmap. The mean texel
+    // is thus far smaller than the floor's.
     const Mesh floor = with_lightmap_uv(quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}),
                                         {{0, 0}, {0.125f, 0}, {0.125f, 0.125f}, {0, 0.125f}});
     const Mesh plate = with_lightmap_uv(quad({-0.1f, -0.1f, 1}, {0.2f, 0, 0}, {0, 0.2f, 0}),
@@ -172,7 +172,7 @@ TEST(LightMap, EveryLitPointHasATexelInReach) {
     EXPECT_EQ(dark, 0) << "of " << points << " points of an evenly lit floor";
 }
 
-/// Hits of a room with a surface of every kind, a batch for each block.
+/// Returns the hits of a room with every kind of surface, one batch per block.
 std::vector<HitBatch> blocks_of_hits(const Scene& scene) {
     std::vector<HitBatch> batches;
     struct Collect {
@@ -262,7 +262,7 @@ TEST(Accumulator, MemoryDoesNotGrowWithHits) {
     const LightMap once = map_of(texels, batches[0]);
     Sink sink(texels, NearestTexels{}, quantum_for(scene));
     for (int i = 0; i < 20; ++i) sink.consume(batches);
-    // The index is measured at the allocator, which rounds as it likes.
+    // The index is measured at the allocator, which rounds sizes.
     const auto expected = static_cast<double>(once.bytes());
     EXPECT_NEAR(static_cast<double>(sink.finish(1).bytes()), expected, 0.02 * expected);
 }

@@ -17,7 +17,8 @@ Vec3 random_direction(std::mt19937& engine) {
     return common::sample_sphere(u, v);
 }
 
-/// Simpson's rule: exact for polynomials up to the third degree, and all but exact here.
+/// Integrates with Simpson's rule, which is exact for polynomials up to the third degree and nearly exact
+/// here.
 template <class Function>
 double integral(double low, double high, Function function) {
     constexpr int steps = 2000;  // even
@@ -27,8 +28,8 @@ double integral(double low, double high, Function function) {
     return sum * (high - low) / steps / 3;
 }
 
-/// What irradiance the harmonics give a plane whose normal has the cosine x to a light of perpendicular
-/// irradiance 1.
+/// Returns the irradiance that the harmonics give a plane whose normal has the cosine x to a light of
+/// perpendicular irradiance 1.
 template <int Order>
 double kernel(const Vec3& light, const Vec3& normal) {
     const auto a = evaluate_sh<Order>(light), b = evaluate_sh<Order>(normal);
@@ -37,7 +38,7 @@ double kernel(const Vec3& light, const Vec3& normal) {
     return sum;
 }
 
-/// max(0, x) = 1/4 + x/2 + 5/16 P2(x) - 3/32 P4(x) + ..., cut off after an order.
+/// Returns max(0, x) = 1/4 + x/2 + 5/16 P2(x) - 3/32 P4(x) + ..., truncated after an order.
 double closed_form(int order, double x) {
     const double xx = x * x;
     double sum = 0.25;
@@ -53,7 +54,7 @@ TEST(ShBasis, IsOrthonormal) {
     constexpr int z_steps = 512, turns = 16;
     for (int i = 0; i < z_steps; ++i)
         for (int j = 0; j < turns; ++j) {
-            // Two Gauss points per step in z: exact for these polynomials, as 16 turns are.
+            // Two Gauss points per step in z are exact for these polynomials, as are 16 azimuths.
             for (const double side : {-1.0, 1.0}) {
                 const double z = -1 + (2 * i + 1 + side / std::sqrt(3.0)) / z_steps;
                 const auto y = evaluate_sh<4>(common::direction_at(
@@ -124,7 +125,7 @@ TEST(ShBasis, KeepsNearlyAllOfTheKernelsEnergy) {
     const double all = integral(0, 1, [](double x) { return x * x; });
     const double kept = integral(-1, 1, [](double x) { return closed_form(2, x) * closed_form(2, x); });
     EXPECT_NEAR(kept / all, 0.9921875, 1e-9);
-    // The same from the factors: k = sum of (2 l + 1) / (4 pi) A_l P_l, and P_l^2 integrates to 2 / (2 l +
+    // The factors give the same: k = sum of (2 l + 1) / (4 pi) A_l P_l, and P_l^2 integrates to 2 / (2 l +
     // 1).
     double from_factors = 0;
     for (const double factor : shlm::cosine_factors<2>) from_factors += factor * factor;

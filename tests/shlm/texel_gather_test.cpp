@@ -1,4 +1,4 @@
-// Which texels answer for a point: the three gathers on maps whose texels hold chosen irradiances.
+// Tests which texels contribute at a point: the three gathers on maps whose texels hold chosen irradiances.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -17,7 +17,7 @@ using shlm::OwnTexel;
 using shlm::PreparedTexels;
 using shlm::TexelGeometry;
 
-/// What a texel holds is what it answers, whatever the normal.
+/// A model whose texels return what they hold, for every normal.
 using Model = shlm::TexelModel<0, shlm::ShWeight::normalised>;
 using LightMap = shlm::HarmonicMap<Model>;
 
@@ -25,11 +25,11 @@ const Material plain = diffuse(Rgb(0.5f, 0.5f, 0.5f));
 const Gather all_gathers[] = {OwnTexel{}, Bilinear{}, NearestTexels{}, NearestTexels{1},
                               NearestTexels{4, false}};
 
-/// A map whose texel i holds `value(i)` in red, twice and three times as much in green and blue. Texels that
-/// nothing covers stay dark.
+/// Makes a map whose texel i holds `value(i)` in red, and twice and three times as much in green and blue.
+/// Texels that nothing covers stay dark.
 template <class SomeModel = Model, class Value>
 shlm::HarmonicMap<SomeModel> map_with(const PreparedTexels& texels, const Gather& gather, Value value) {
-    // Finer than light would have it: gathers are compared to the last bits of a float.
+    // The quantum is finer than usual, since gathers are compared to the last bits of a float.
     shlm::TexelSums<SomeModel> sums(texels.layout.texel_count(), shlm::Quantum(Rgb(1, 1, 1) * 0x1p-20f));
     for (std::uint32_t i = 0; i < texels.geometry.size(); ++i) {
         const TexelGeometry& texel = texels.geometry[i];
@@ -39,17 +39,17 @@ shlm::HarmonicMap<SomeModel> map_with(const PreparedTexels& texels, const Gather
     return {sums, texels, 1, gather, 0};
 }
 
-/// The same on every texel.
+/// Makes a map with the same value in every texel.
 LightMap map_of_one(const PreparedTexels& texels, const Gather& gather, double value = 1) {
     return map_with(texels, gather, [&](std::uint32_t) { return value; });
 }
 
-/// A value of its own for every texel, nowhere near its neighbours'.
+/// Returns a different value for every texel, far from those of its neighbours.
 double odd_value(std::uint32_t texel) {
     return 1 + (texel * 7919u) % 101;
 }
 
-/// A floor from (0, 0) to (1, 1) at z = 0; u and v of its lightmap are x and y.
+/// Makes a floor from (0, 0) to (1, 1) at z = 0; u and v of its lightmap are x and y.
 Scene floor_of(const Material& material) {
     Scene scene;
     add(scene, quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), material);
@@ -61,7 +61,7 @@ SurfacePoint back_of(const Scene& scene, const SurfaceId& surface) {
 }
 
 /// Calls `use(s, t)` for points all over the unit square: odd multiples of 1 / 256, none of them on a border
-/// of up to 64 texels a side.
+/// of texels with up to 64 texels per side.
 template <class Use>
 void for_points_of_square(Use use) {
     constexpr int side = 128;
@@ -70,7 +70,7 @@ void for_points_of_square(Use use) {
             use((static_cast<float>(i) + 0.5f) / side, (static_cast<float>(j) + 0.5f) / side);
 }
 
-// What all of them share.
+// Tests of all gathers.
 
 TEST(TexelGather, BacksOfSingleSidedSurfacesAreDark) {
     const Scene scene = floor_of(plain);
@@ -122,7 +122,7 @@ TEST(TexelGather, SurfacesWithoutTexelsAreDark) {
     }
 }
 
-// The texel that the point lies in.
+// Tests of the texel that contains the point.
 
 TEST(OwnTexel, AnswersWithItsValue) {
     const Scene scene = floor_of(plain);
@@ -155,13 +155,13 @@ TEST(OwnTexel, HoldsTheTexelsOfTheLayoutAndTheirPlaces) {
     }
 }
 
-// The four texels around the point in the lightmap.
+// Tests of the four texels around the point in the lightmap.
 
 double ramp(const Vec3& position) {
     return 3 + 2.0 * position.x - 1.0 * position.y;
 }
 
-/// Texels hold the ramp at their centres.
+/// Makes a map whose texels hold the ramp at their centres.
 LightMap ramp_map(const PreparedTexels& texels) {
     return map_with(texels, Bilinear{}, [&](std::uint32_t i) { return ramp(texels.geometry[i].center); });
 }
@@ -171,7 +171,7 @@ TEST(BilinearTexels, ReproduceARamp) {
     const PreparedTexels texels = texels_of(scene, 64);
     const LightMap map = ramp_map(texels);
     for_points_of_square([&](float s, float t) {
-        // From the centres of the outer texels on there is nothing to go by.
+        // Beyond the centres of the outer texels, values are constant.
         const auto inside = [](float x) { return std::clamp(x, 0.5f / 8, 7.5f / 8); };
         const double expected = ramp({inside(s), inside(t), 0});
         const Rgb answer = map.irradiance(front_of(scene, on_quad(0, s, t)));
@@ -179,7 +179,7 @@ TEST(BilinearTexels, ReproduceARamp) {
     });
 }
 
-/// Of cut texels, whose areas differ a hundredfold.
+/// Tests cut texels, whose areas differ by a factor of a hundred.
 TEST(BilinearTexels, InHalvesAreWithinTheirRounding) {
     Scene scene;
     add(scene,
@@ -201,7 +201,7 @@ TEST(BilinearTexels, InHalvesAreWithinTheirRounding) {
 }
 
 TEST(BilinearTexels, ReproduceARampOnAnyChart) {
-    // Turned, sheared and mirrored: texels lie across the surface every which way.
+    // Random charts are rotated, sheared and mirrored, so texels have all orientations on the surface.
     constexpr unsigned seed = 1;
     std::mt19937 engine(seed);
     std::uniform_real_distribution<float> uniform(-1, 1);
@@ -229,7 +229,7 @@ TEST(BilinearTexels, AreContinuous) {
     const Scene scene = floor_of(plain);
     const PreparedTexels texels = texels_of(scene, 64);
     const auto chequered = [](std::uint32_t texel) { return 1 + 9 * ((texel % 8 + texel / 8) % 2); };
-    // Across texels' borders, the quad's diagonal and half of the border's outermost texels.
+    // The path crosses texels' borders, the quad's diagonal and half of the outermost texels.
     const Vec2 from(0.01f, 0.02f), to(0.99f, 0.71f);
     constexpr int steps = 20'000;
     const auto largest_step = [&](const LightMap& map) {
@@ -242,15 +242,15 @@ TEST(BilinearTexels, AreContinuous) {
         }
         return largest;
     };
-    // Values are 9 apart, and neighbours a texel.
+    // Values differ by 9 between neighbours, whose distance is a texel.
     const Vec2 step = (to - from) * (8.0f / steps);
     const double steepest = 9 * (step.x + step.y), rounding = 1e-4;
     EXPECT_LE(largest_step(map_with(texels, Bilinear{}, chequered)), steepest + rounding);
     EXPECT_GE(largest_step(map_with(texels, OwnTexel{}, chequered)), 8.9) << "the test would pass anything";
 }
 
-/// How many of the points' answers come near a texel without the gather's filter: points in the square whose
-/// cell of four centres holds a texel of `kind`.
+/// Counts the points whose bilinear filter would include a texel of `kind`: the cell of four centres around
+/// the point holds one.
 template <class Kind>
 int points_beside(const PreparedTexels& texels, const Scene& scene, const std::vector<SurfaceId>& points,
                   Kind kind) {
@@ -275,7 +275,7 @@ int points_beside(const PreparedTexels& texels, const Scene& scene, const std::v
 }
 
 TEST(BilinearTexels, LeaveOutTexelsThatNothingCovers) {
-    // One triangle: half of its rectangle of texels is empty.
+    // A single triangle: half of its rectangle of texels is empty.
     Mesh mesh = quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     mesh.triangle.resize(1);
     Scene scene;
@@ -292,7 +292,7 @@ TEST(BilinearTexels, LeaveOutTexelsThatNothingCovers) {
     for (const SurfaceId& at : points) ASSERT_FLOAT_EQ(map.irradiance(front_of(scene, at)).x, 5);
 }
 
-/// The walls of a box as one mesh, each with a sixth of the lightmap and no gap between them.
+/// Makes the walls of a box as one mesh, each with a sixth of the lightmap and no gap between them.
 Mesh unwrapped_box() {
     const std::array<Mesh, 6> walls = box_walls({-1, -1, -1}, {1, 1, 1});
     Mesh box;
@@ -305,7 +305,7 @@ Mesh unwrapped_box() {
     return box;
 }
 
-/// Which wall of the box looks that way: 1 to 6.
+/// Returns which wall of the box has this normal: 1 to 6.
 int wall_of(const Vec3& normal) {
     for (int axis = 0; axis < 3; ++axis)
         if (std::abs(normal[axis]) > 0.99f) return 2 * axis + (normal[axis] < 0 ? 2 : 1);
@@ -337,7 +337,7 @@ TEST(BilinearTexels, LeaveOutTexelsThatLookAnotherWay) {
 }
 
 TEST(BilinearTexels, DoNotSeeOtherInstances) {
-    // Two halves of a floor with the same lightmap coordinates, neighbours in the world and in memory.
+    // Two halves of a floor with the same lightmap coordinates, neighbours in space and in memory.
     Scene scene;
     for (const float x : {0.0f, 1.0f}) add(scene, quad({x, 0, 0}, {1, 0, 0}, {0, 1, 0}), plain);
     const PreparedTexels texels = texels_of(scene, 128);
@@ -350,12 +350,12 @@ TEST(BilinearTexels, DoNotSeeOtherInstances) {
             ASSERT_FLOAT_EQ(map.irradiance(front_of(scene, on_quad(2, s, t))).x, 2);
         });
     }
-    // The nearest in space do: the floor has no seam for them.
+    // The nearest texels in space cross the seam.
     const LightMap nearest = map_with(texels, NearestTexels{}, by_half);
     EXPECT_NEAR(nearest.irradiance(front_of(scene, on_quad(0, 0.999f, 0.5f))).x, 1.5, 1e-5);
 }
 
-// The nearest texels in space.
+// Tests of the nearest texels in space.
 
 TEST(NearestTexels, WeighByProjectedArea) {
     // A floor of one texel and a slope of 45 degrees beside it, also of one.
@@ -367,7 +367,8 @@ TEST(NearestTexels, WeighByProjectedArea) {
     ASSERT_NEAR(texels.geometry[1].area, 1.25 * std::sqrt(2.0), 1e-6);
     const auto value = [](std::uint32_t texel) { return texel == 0 ? 1 : 7; };
     const LightMap map = map_with(texels, NearestTexels{2}, value);
-    // From the floor the slope looks like its shadow; from the slope the floor shrinks instead.
+    // Seen from the floor, the slope has the area of its projection; seen from the slope, the floor is
+    // smaller instead.
     const double shadow = 1.25, slope = 1.25 * std::sqrt(2.0), shrunk = std::sqrt(0.5);
     EXPECT_NEAR(map.irradiance(front_of(scene, on_quad(0, 0.7f, 0.4f))).x, (1 + 7 * shadow) / (1 + shadow),
                 1e-5);
@@ -375,7 +376,7 @@ TEST(NearestTexels, WeighByProjectedArea) {
                 (shrunk + 7 * slope) / (shrunk + slope), 1e-5);
 }
 
-/// The same answer, from all texels one after the other.
+/// Computes the same answer from all texels, one after the other.
 double nearest_by_search(const PreparedTexels& texels, const NearestTexels& gather,
                          const SurfacePoint& point) {
     float largest_area = 0;
@@ -415,7 +416,8 @@ double nearest_by_search(const PreparedTexels& texels, const NearestTexels& gath
 }
 
 TEST(NearestTexels, AreTheNearestThatLookThePointsWay) {
-    // Texels of all sizes and slopes: a dome mapped as it looks from above, a floor, a sheet close above it.
+    // Texels of all sizes and slopes: a dome with coordinates projected from above, a floor, and a sheet
+    // close above it.
     Scene scene;
     Mesh dome = sphere({0, 0, 0.5f}, 0.8f, 2);
     for (const Vec3& normal : dome.normal) dome.texcoord[1].emplace_back(normal.x, normal.y);
@@ -446,7 +448,7 @@ TEST(NearestTexels, AreTheNearestThatLookThePointsWay) {
     }
 }
 
-/// A lit floor at z = 0 over a dark one this far below; texels of both are a tenth wide.
+/// A lit floor at z = 0 above a dark one at this distance; texels of both are a tenth wide.
 struct Layers {
     Scene scene;
     PreparedTexels texels;
@@ -485,7 +487,7 @@ TEST(NearestTexels, OfTheOwnSurfaceKnowNoLayerBehind) {
 }
 
 TEST(NearestTexels, OfTheOwnSurfaceGoOverEdgesThatDoNotBendFar) {
-    // Facets 60 degrees apart, an instance each: what is beyond the edge is the same surface.
+    // Facets at 60 degrees, one instance each: across their common edge, they count as one surface.
     Scene scene;
     add(scene, quad({-1, 0, 0}, {1, 0, 0}, {0, 1, 0}), plain);
     add(scene, quad({0, 0, 0}, {0.5f, 0, std::sqrt(0.75f)}, {0, 1, 0}), plain);
@@ -499,7 +501,8 @@ TEST(NearestTexels, OfTheOwnSurfaceGoOverEdgesThatDoNotBendFar) {
 }
 
 TEST(NearestTexels, OfTheOwnSurfaceAreThoseUnderItWhereItHasNone) {
-    // Shreds far smaller than a texel share one by face. Nearly all of it is of the larger of two.
+    // Shreds far smaller than a texel share one, placed by face. Nearly all of it belongs to the larger
+    // shred.
     Scene scene = floor_of(plain);
     Mesh shreds = joined(quad({5, 0, 0}, {2e-3f, 0, 0}, {0, 2e-3f, 0}),
                          quad({5.003f, 0, 0}, {1e-3f, 0, 0}, {0, 1e-3f, 0}));
@@ -526,7 +529,7 @@ TEST(NearestTexels, HoldCoveredTexelsOnlyWithTheirCentresAndIndex) {
     const std::size_t own =
         centers.size() * (sizeof(map.texels()[0]) + sizeof(Vec3) + sizeof(std::uint32_t)) +
         texels.pieces->bytes();
-    // The index is measured at the allocator, which rounds as it likes.
+    // The index is measured at the allocator, which rounds sizes.
     const auto index = static_cast<double>(common::FlannIndex(centers).bytes());
     ASSERT_GT(index, 0);
     EXPECT_NEAR(static_cast<double>(map.bytes() - own), index, 0.02 * index);

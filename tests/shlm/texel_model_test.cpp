@@ -1,4 +1,4 @@
-// What a texel makes of its hits: every order and weight, against closed forms.
+// Tests how a texel evaluates its hits, for every order and weight, against closed forms.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -16,15 +16,16 @@ using shlm::TexelModel;
 
 constexpr double degrees = pi / 180;
 
-/// Beside the relative error, up to 18 numbers may each be rounded by 2^-24 of the light, here about 1.
+/// Besides the relative error, up to 18 numbers may each be rounded by 2^-24 of the light, which is about 1
+/// here.
 void expect_near(const Rgb& actual, const Rgb& expected, double relative, const std::string& what) {
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(actual[c], expected[c], relative * (std::abs(expected[c]) + 0.01) + 18 * 0x1p-24)
             << what << ", channel " << c;
 }
 
-/// Hits from anywhere above the floor, each colour from other places: some straight down, some grazing, some
-/// more grazing than the clamp.
+/// Makes hits from everywhere above the floor, each colour from different directions: some straight down,
+/// some grazing, some beyond the clamp.
 HitBatch mixed_light(unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -45,7 +46,7 @@ Rgb flux_of(const HitBatch& hits) {
     return sum;
 }
 
-/// Normals all over the hemisphere, the surface's own first.
+/// Returns normals all over the hemisphere, the surface's own first.
 std::vector<Vec3> normals() {
     std::vector<Vec3> all = {up};
     for (const double tilt : {10, 30, 45, 60, 75, 89})
@@ -59,7 +60,7 @@ std::string name_of(int order, const Vec3& normal) {
            std::to_string(normal.y) + " " + std::to_string(normal.z);
 }
 
-// What is stored.
+// Tests of what is stored.
 
 TEST(TexelModel, SumsAndHoldsAsManyNumbersAsItSays) {
     constexpr std::array<std::size_t, 5> harmonics = {1, 4, 9, 0, 18};
@@ -81,7 +82,7 @@ TEST(TexelModel, ATraditionalLightMapStoresOneForEachHit) {
                 "its only number");
 }
 
-// What is answered.
+// Tests of what is answered.
 
 TEST(TexelModel, ATraditionalLightMapGivesTheSurfacesIrradianceToEveryNormal) {
     constexpr unsigned seed = 1;
@@ -100,7 +101,7 @@ TEST(TexelModel, NormalisedIsExactForTheSurfacesOwnNormal) {
                         name_of(model.order, up) + ", seed " + std::to_string(seed));
         });
     }
-    // One grazing light alone.
+    // A single grazing light.
     for (const double cosine : {0.5, 1e-2, 1e-3, 1e-5, 1e-7})
         for_each_order<ShWeight::normalised>([&](auto model) {
             const Floor<decltype(model)> floor(one_hit(direction(std::acos(cosine)), Rgb(1, 2, 3)));
@@ -109,7 +110,7 @@ TEST(TexelModel, NormalisedIsExactForTheSurfacesOwnNormal) {
 }
 
 TEST(TexelModel, NormalisedFollowsTheHarmonicsElsewhere) {
-    // Each channel has a light of its own.
+    // Each channel has its own light.
     const std::array<Vec3, 3> lights = {direction(70 * degrees), direction(20 * degrees, 2),
                                         direction(89.99 * degrees, 4)};
     HitBatch hits;
@@ -133,8 +134,8 @@ TEST(TexelModel, NormalisedFollowsTheHarmonicsElsewhere) {
     });
 }
 
-/// What a texel with the normal `up` makes of one hit that brings 1 W/m^2 to a surface at that cosine to the
-/// light.
+/// Returns what a texel with the normal `up` holds after one hit that brings 1 W/m^2 to a surface at that
+/// cosine to the light.
 template <class Model>
 shlm::TexelLight<Model::order> held_after(const Vec3& light, double cosine) {
     std::array<Rgb, Model::summed> mean;
@@ -158,15 +159,15 @@ double largest_answer(const shlm::TexelLight<Order>& held) {
 TEST(TexelModel, NormalisedStaysBounded) {
     for_each_order<ShWeight::normalised>([&](auto model) {
         using Model = decltype(model);
-        // On a flat texel the peak of the kernel over its value at the surface.
+        // On a flat texel, the bound is the peak of the kernel over its value at the surface.
         for (const double incidence : {0.0, 45.0, 76.0, 89.0}) {
             const Vec3 light = direction(incidence * degrees);
             const double peak = kernel(Model::order, 1) / kernel(Model::order, light.z);
             EXPECT_LE(largest_answer<Model::order>(held_after<Model>(light, light.z)), peak * (1 + 1e-4))
                 << "order " << Model::order << ", incidence " << incidence;
         }
-        // On a bent one, light from around the kernel's zeros, 104 and 145 degrees: what a hit at 60 degrees
-        // from the texel's normal may bring to a triangle of its own.
+        // On a curved texel, light may come from around the kernel's zeros, 104 and 145 degrees. The bound is
+        // what a hit at 60 degrees from the texel's normal may bring to a triangle of its own.
         if (Model::order == 0) return;
         for (double incidence = 90.5; incidence < 150; incidence += 0.5) {
             const Vec3 light = direction(incidence * degrees);
@@ -190,7 +191,7 @@ TEST(TexelModel, LightFromAboveNeverNeedsMoreThanTheLargestShare) {
     EXPECT_NEAR(largest(4), double{shlm::largest_surface_share<4>}, 1e-5);
 }
 
-/// Light of perpendicular irradiance 1 from `towards_light`.
+/// Makes light of perpendicular irradiance 1 from `towards_light`.
 HitBatch unit_light(const Vec3& towards_light) {
     return one_hit(towards_light, Rgb(1, 2, 3) * towards_light.z);
 }
@@ -224,8 +225,8 @@ TEST(TexelModel, FluxWeightLacksTheCosine) {
         });
 }
 
-/// A sky of radiance 1: directions of equal solid angle, two Gauss points a step in z, which integrate
-/// polynomials of the third degree exactly.
+/// Makes a sky of radiance 1: directions of equal solid angle, with two Gauss points per step in z, which
+/// integrate polynomials of the third degree exactly.
 HitBatch uniform_hemisphere() {
     constexpr int z_steps = 60, turns = 32;
     constexpr double solid_angle = 2 * pi / (2.0 * z_steps * turns);
@@ -241,8 +242,8 @@ HitBatch uniform_hemisphere() {
 }
 
 TEST(TexelModel, UniformHemisphereIsRightAtEveryTilt) {
-    // The half sphere has no even band but the 0th and the clamped cosine no odd one but the 1st: nothing is
-    // cut off.
+    // The hemisphere has no even band except the 0th, and the clamped cosine no odd one except the 1st, so
+    // nothing is truncated.
     const HitBatch hits = uniform_hemisphere();
     for_each_model([&](auto model) {
         using Model = decltype(model);

@@ -26,7 +26,7 @@ struct Hit {
     Rgb flux;
 };
 
-/// Uniform light, each photon as bright as the other in one channel and anything in the others.
+/// Makes uniform light of photons with equal flux in one channel and random flux in the others.
 std::vector<Hit> random_hits(std::size_t count, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> uniform(0, 1);
@@ -46,7 +46,7 @@ void add_all(SomeSums& sums, std::span<const Hit> hits) {
     for (const Hit& hit : hits) sums.add(0, hit.towards_light, hit.inverse_cosine, hit.flux);
 }
 
-/// What the hits add to number k of a texel, from the same harmonics.
+/// Returns what the hits add to number k of a texel, computed from the same harmonics.
 template <class Model>
 double sum_in_doubles(std::span<const Hit> hits, std::size_t k) {
     double sum = 0;
@@ -119,13 +119,13 @@ TEST(TexelModel, KnowsItsLargestNumber) {
     });
 }
 
-/// The brightest fluxes are beyond what 32 bits hold, the faintest below a quantum.
+/// The largest fluxes exceed what 32 bits hold, the smallest are below a quantum.
 std::vector<Hit> hits_of_all_sizes(unsigned seed) {
     std::vector<Hit> hits = random_hits(count_for(200'000, 20'000), seed);
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> exponent(-30, 20);
     for (std::size_t i = 0; i < hits.size(); i += 2) hits[i].flux *= std::exp2(exponent(random));
-    // Straight at the largest harmonics: runs of hits that all add to the same number.
+    // They are in the direction of the largest harmonics, so runs of hits all add to the same number.
     for (std::size_t i = 0; i < hits.size() / 4; ++i) hits[i].towards_light = {0, 0, 1};
     return hits;
 }
@@ -170,7 +170,8 @@ TEST(TexelSums, HaveTheErrorOfRoundingSingleHits) {
     const std::vector<Hit> hits = random_hits(count_for(1'000'000, 50'000), seed);
     Sums sums(1, white);
     add_all(sums, hits);
-    // A product has half a float's last bit of error and half a quantum. Were all of the same sign:
+    // A product has an error of half a float's last bit and half a quantum; in the worst case all have the
+    // same sign.
     const auto count = static_cast<double>(hits.size());
     const double light = sum_in_doubles<PaperModel>(hits, 0);
     for (std::size_t k = 0; k < sums[0].value.size(); ++k)
@@ -180,7 +181,7 @@ TEST(TexelSums, HaveTheErrorOfRoundingSingleHits) {
 
 TEST(TexelSums, ABillionRandomHitsAreRightToAMillionth) {
     constexpr unsigned seed = 4;
-    constexpr int pieces = 1000;  // the same million again and again: errors add up without cancelling
+    constexpr int pieces = 1000;  // the same million repeatedly: errors add up without cancelling
     const std::vector<Hit> hits = random_hits(count_for(1'000'000, 50'000), seed);
     Sums piece(1, white), sums(1, white);
     add_all(piece, hits);
@@ -192,7 +193,7 @@ TEST(TexelSums, ABillionRandomHitsAreRightToAMillionth) {
     }
 }
 
-/// Relative error of the first number after `count` equal adds of a whole photon's light.
+/// Returns the relative error of the first number after `count` equal adds of a whole photon's light.
 template <class SomeSums>
 double error_of_equal_adds(std::uint64_t count, const Hit& hit) {
     SomeSums sums(1, white);
@@ -207,7 +208,7 @@ double error_of_equal_adds(std::uint64_t count, const Hit& hit) {
 }
 
 TEST(TexelSums, EqualAddsDoNotStall) {
-    // Equal adds have equal errors, so that of one is that of 1e9: more would only repeat it.
+    // Equal adds have equal errors, so one add has the relative error of 1e9: more would only repeat it.
     const auto error = [](std::uint64_t count, float inverse_cosine, float flux) {
         return error_of_equal_adds<Sums>(count, {{0, 0.6f, 0.8f}, inverse_cosine, Rgb(flux, 1, 1)});
     };
@@ -241,7 +242,7 @@ TEST(TexelSums, ThatWouldLeaveTheirRangeEndTheRun) {
     const Hit brightest{{0, 0, 1}, 1000, Rgb(1, 1, 1)};
     Sums sums(2, white);
     add_all(sums, std::span(&brightest, 1));
-    // The sum doubles until it has no room for another doubling.
+    // The sum is doubled until there is no room for another doubling.
     EXPECT_THROW(for (int i = 0; i < 63; ++i) join(sums, sums), common::InputError);
     EXPECT_NO_THROW(sums.add(1, brightest.towards_light, 1, brightest.flux)) << "another texel";
     for (const float flux : {1e30f, std::numeric_limits<float>::max(), -1e30f}) {

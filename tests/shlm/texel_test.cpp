@@ -67,8 +67,8 @@ void expect_whole_surface(const Scene& scene, std::initializer_list<std::size_t>
     }
 }
 
-/// Corners of a mesh in the plane mapped by a matrix, for lightmap coordinates that keep every triangle's
-/// shape.
+/// Returns the corners of a plane mesh, mapped by a similarity matrix: lightmap coordinates that keep every
+/// triangle's shape.
 std::vector<Vec2> planar_uv(const std::vector<Vec3>& position, double angle, float scale,
                             const Vec2& offset) {
     const auto c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
@@ -77,7 +77,7 @@ std::vector<Vec2> planar_uv(const std::vector<Vec3>& position, double angle, flo
     return uv;
 }
 
-/// A square cut into 2 n^2 triangles whose inner corners are shaken by up to `jitter` cells.
+/// Makes a square of 2 n^2 triangles whose inner corners are displaced by up to `jitter` cells.
 Mesh shaken_grid(std::uint32_t n, double jitter, unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> shake(-jitter, jitter);
@@ -98,7 +98,7 @@ Mesh shaken_grid(std::uint32_t n, double jitter, unsigned seed) {
     return mesh;
 }
 
-/// A square as a fan of slivers from one corner.
+/// Makes a square as a fan of slivers from one corner.
 Mesh slivers(int count) {
     Mesh mesh;
     mesh.position.emplace_back(0.0f, 0.0f, 0.0f);
@@ -116,7 +116,7 @@ Scene scene_of(const Mesh& mesh, const Material& material = plain) {
     return scene;
 }
 
-/// Triangles along something: fewer where each takes long.
+/// Returns the number of triangles along a side: fewer in builds where each takes long.
 int few_or(int many) {
     return static_cast<int>(
         count_for(static_cast<std::uint64_t>(many), static_cast<std::uint64_t>(many) / 5));
@@ -146,7 +146,7 @@ TEST(TexelGeometry, AreasAddUpForChartsOffTheGrid) {
 }
 
 TEST(TexelGeometry, AreasAddUpForUnevenMaps) {
-    // Corners shaken differently in space and in the map: each triangle has a scale and a shear of its own.
+    // Corners are displaced differently in space and in the map: each triangle has its own scale and shear.
     Mesh mesh = shaken_grid(30, 0.3, 4);
     mesh.texcoord[1] = shaken_grid(30, 0.3, 5).texcoord[1];
     for (std::size_t i = 0; i < mesh.position.size(); ++i)
@@ -181,7 +181,7 @@ TEST(TexelGeometry, CentresLieOnTheCoveredPart) {
     Mesh mesh = shaken_grid(13, 0.2, 7);
     mesh.texcoord[1] = planar_uv(mesh.position, 0.5, 0.7f, {0.1f, 0.2f});
     const Texels texels(scene_of(mesh), 3000);
-    // One chart that keeps shapes: a texel is a square whose side is the root of the largest area.
+    // The chart keeps shapes: a texel is a square whose side is the square root of the largest area.
     float largest = 0;
     for (const TexelGeometry& texel : texels.geometry) largest = std::max(largest, texel.area);
     std::size_t covered = 0;
@@ -256,7 +256,7 @@ TEST(TexelLayout, InstancesOfOneMeshHaveRegionsOfTheirOwn) {
     EXPECT_EQ(texels.uv[1].overlapping_area, 0);
 }
 
-/// Where a surface point lies in its region, in texels, from its lightmap coordinates.
+/// Returns the position of a surface point in its region, in texels, from its lightmap coordinates.
 Imath::V2d place_in_region(const Scene& scene, const Texels& texels, const SurfaceId& surface) {
     const std::uint32_t instance = scene.instance_of[surface.triangle];
     const shlm::TexelRegion& region = texels.layout.regions()[instance];
@@ -332,17 +332,17 @@ TEST(LightmapUv, MeasuresTheAreaThatSharesCoordinates) {
     const Scene whole = two_quads(left_half, left_half);
     EXPECT_NEAR(shlm::find_lightmap_uv(whole)[0].overlapping_area, 4, 0.02);
     EXPECT_EQ(shlm::describe_lightmap_trouble(whole, shlm::find_lightmap_uv(whole)).size(), 1u);
-    // A quarter of the width of each.
+    // They overlap by a quarter of the width of each.
     const std::vector<Vec2> shifted = {{0.375f, 0}, {0.875f, 0}, {0.875f, 1}, {0.375f, 1}};
     EXPECT_NEAR(shlm::find_lightmap_uv(two_quads(left_half, shifted))[0].overlapping_area, 1, 0.02);
-    // Two in a hundred of the width of each, mirrored.
+    // They overlap by two hundredths of the width of each, mirrored.
     const std::vector<Vec2> mirrored = {{0.99f, 0}, {0.49f, 0}, {0.49f, 1}, {0.99f, 1}};
     EXPECT_NEAR(shlm::find_lightmap_uv(two_quads(left_half, mirrored))[0].overlapping_area, 0.08, 0.02);
 }
 
 TEST(LightmapUv, MeasuresOverlapOfTrianglesSmallerThanItsGrid) {
-    // Two dense sheets on the same tenth of the map, whose triangles are half a sample apart, and a large
-    // quad beside.
+    // Two dense sheets use the same tenth of the map, with triangles half a sample apart; a large quad lies
+    // beside them.
     Mesh sheet = shaken_grid(100, 0, 13);
     for (Vec2& uv : sheet.texcoord[1]) uv *= 0.1f;
     const Mesh rest =
@@ -354,7 +354,7 @@ TEST(LightmapUv, MeasuresOverlapOfTrianglesSmallerThanItsGrid) {
 }
 
 TEST(LightmapUv, SmallOverlapsOfAHugeMeshAreFound) {
-    // A table top on a floor 10,000 times as large.
+    // A table top above a floor that is 10,000 times as large.
     const std::vector<Vec2> island = {{0.25f, 0.5f}, {0.255f, 0.5f}, {0.255f, 0.51f}, {0.25f, 0.51f}};
     const Scene scene =
         scene_of(joined(with_lightmap_uv(quad({0, 0, 0}, {1, 0, 0}, {0, 2, 0}), left_half),
@@ -366,7 +366,7 @@ TEST(LightmapUv, SmallOverlapsOfAHugeMeshAreFound) {
 }
 
 TEST(LightmapUv, RoundingWhereChartsTouchIsNoOverlap) {
-    // Charts in thirds and sevenths of the unit square, their borders rounded on their own.
+    // Charts in thirds and sevenths of the unit square, whose borders are rounded independently.
     Mesh mesh;
     for (int row = 0; row < 7; ++row)
         for (int column = 0; column < 3; ++column) {
@@ -405,7 +405,7 @@ TEST(LightmapUv, CollapsedCoordinatesAreFound) {
 }
 
 TEST(LightmapUv, CoordinatesMadeForColoursAreNoLightmap) {
-    // A palette: each face has its colour's place, a few thousandths wide, in a square that is else empty.
+    // A palette: each face has the place of its colour, a few thousandths wide, in an otherwise empty square.
     Mesh mesh;
     for (int i = 0; i < 40; ++i) {
         const float u = 0.1f + 0.2f * static_cast<float>(i % 5), v = 0.1f + 0.2f * static_cast<float>(i % 4),
@@ -431,7 +431,7 @@ TEST(LightmapUv, MirroredIslandsKeepOneOfEachPair) {
 }
 
 TEST(LightmapUv, AreExaminedInTimeWhereAllTrianglesAreInOnePlace) {
-    // A brick texture, 20,000 times: compared each with each, 2e8 pairs would be kept.
+    // A brick texture, repeated 20,000 times: comparing each with each would keep 2e8 pairs.
     Mesh mesh;
     for (std::uint32_t i = 0; i < 20'000; ++i) {
         const float x = 2 * static_cast<float>(i);
@@ -446,7 +446,7 @@ TEST(LightmapUv, AreExaminedInTimeWhereAllTrianglesAreInOnePlace) {
     EXPECT_FALSE(uv.is_lightmap());
 }
 
-/// The texels of a scene by what suits each triangle cover all of its surface.
+/// Expects the texels of a scene, placed automatically for each triangle, to cover its whole surface.
 void expect_texels_everywhere(const Scene& scene) {
     const auto uv = shlm::find_lightmap_uv(scene);
     const TexelLayout layout(scene, shlm::texel_charts(scene, uv, shlm::TexelPlacement::automatic, 1000),

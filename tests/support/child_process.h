@@ -1,4 +1,4 @@
-// The project's own command as a child process: what it says, what it leaves and how it ends.
+// Runs the project's command as a child process: its output, its files and its exit code.
 #pragma once
 
 #include <fcntl.h>
@@ -24,7 +24,7 @@ inline std::string text_of(const std::filesystem::path& file) {
     return text.str();
 }
 
-/// Asks every few milliseconds, up to a minute; whether the answer was yes in the end.
+/// Polls every few milliseconds, up to a minute. Returns whether the condition became true.
 template <class Condition>
 bool wait_until(Condition condition) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
@@ -40,8 +40,8 @@ struct Ended {
     std::string out, err;
 };
 
-/// A running program; standard output and error go to files in `folder`. Killed, if still alive, with the
-/// object.
+/// A running program, whose standard output and error go to files in `folder`. It is killed with the object
+/// if it is still running.
 class Child {
   public:
     Child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
@@ -73,7 +73,7 @@ class Child {
 
     void send(int signal) const { kill(pid_, signal); }
 
-    /// Whether it has said that it wants to handle the signal itself (proc(5): SigCgt).
+    /// Returns whether it has installed a handler for the signal (proc(5): SigCgt).
     [[nodiscard]] bool catches(int signal) const {
         std::ifstream in("/proc/" + std::to_string(pid_) + "/status");
         for (std::string line; std::getline(in, line);)

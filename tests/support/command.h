@@ -1,4 +1,4 @@
-// Runs the command as its user does, in folders of its own.
+// Runs the command as a user does, in temporary folders.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using Words = std::vector<std::string>;
 inline const std::string build_folder = SHLMBENCH_BINARY_DIR;
 inline const std::string cornell = build_folder + "/scenes/cornell.glb";
 
-/// Names of all files and folders below `folder`.
+/// Returns the names of all files and folders below `folder`.
 inline std::set<std::string> files_in(const fs::path& folder) {
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -30,7 +30,7 @@ inline std::set<std::string> files_in(const fs::path& folder) {
     return names;
 }
 
-/// Work that is short elsewhere shows its progress on a busy machine: that is no complaint.
+/// Removes progress lines, which short work may show on a busy machine; they are no complaints.
 inline std::string without_progress(const std::string& text) {
     std::istringstream lines(text);
     std::string kept;
@@ -45,7 +45,7 @@ inline Ended run_command(const Words& words, const TemporaryDirectory& said) {
     return ended;
 }
 
-/// How a mistake of the user's ends: exit code 2, and one line that has all of `fragments`.
+/// Expects the end of a user's mistake: exit code 2, and one line that contains all of `fragments`.
 inline void expect_refused(const Ended& ended, const Words& fragments) {
     EXPECT_EQ(ended.exit_code, 2);
     EXPECT_EQ(ended.out, "");
@@ -68,10 +68,10 @@ class Command : public testing::Test {
 
     [[nodiscard]] Ended run(const Words& words) const { return run_command(words, said); }
 
-    /// The file's path.
+    /// Returns the path of the file.
     [[nodiscard]] std::string write(const GltfFile& scene) const { return scene.write(folder).string(); }
 
-    /// The words of a small render, with more words behind.
+    /// Returns the arguments of a small render, followed by `more`.
     [[nodiscard]] Words render(const std::string& scene, const std::string& method,
                                const Words& more = {}) const {
         Words words = {"render",          scene,     "--method", method,     "--hits", "2000", "--out",
@@ -80,8 +80,7 @@ class Command : public testing::Test {
         return words;
     }
 
-    /// Runs into a mistake of the user's: exit code 2, one line that has all of `fragments`, and nothing left
-    /// behind.
+    /// Expects a user's mistake: exit code 2, one line that contains all of `fragments`, and no new files.
     void expect_refusal(const Words& words, const Words& fragments) const {
         SCOPED_TRACE(testing::PrintToString(words));
         const auto before = files_in(folder.path());
@@ -96,7 +95,7 @@ class Command : public testing::Test {
     }
 };
 
-/// A subcommand that writes into a folder which it makes.
+/// A subcommand that writes into a folder, which it makes.
 class FolderCommand : public Command {
   protected:
     explicit FolderCommand(std::string name) : name_(std::move(name)) {}

@@ -1,4 +1,4 @@
-// The properties of materials and of what they read whose treatment is that of several readers together.
+// Properties of materials and of the data they read, where several readers together decide the treatment.
 #pragma once
 
 #include "tests/support/gltf_properties.h"
@@ -61,7 +61,7 @@ inline std::vector<Property> properties_of_surfaces() {
           {extensions + "KHR_materials_transmission/transmissionFactor", 1},
           {extensions + "KHR_materials_volume/thicknessFactor", 1},
           {extensions + "KHR_materials_volume/attenuationDistance", 1}}},
-        // Specular and glossiness: as the diffuse part says, without the specular one.
+        // Specular and glossiness: treated like the diffuse part, without the specular one.
         {glossiness + "diffuseFactor", {1, 0, 0, 1}, warned, "pecular"},
         {glossiness + "diffuseTexture", texture, warned, "pecular"},
         {glossiness + "specularFactor", {1, 0, 0}, warned, "pecular"},

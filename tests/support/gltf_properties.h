@@ -1,4 +1,4 @@
-// A glTF file that has some of everything, and what becomes of a scene when one of its properties is changed.
+// A glTF file that has every kind of object, and the effect of changing one of its properties.
 #pragma once
 
 #include <sstream>
@@ -11,7 +11,7 @@ namespace gltf_text {
 
 enum class Treatment {
     drawn,    ///< the scene becomes another one, without a warning
-    unseen,   ///< neither the scene nor its warnings change: nothing that is to be seen depends on it
+    unseen,   ///< neither the scene nor its warnings change, as nothing visible depends on it
     warned,   ///< there is a warning with the words `said`
     refused,  ///< the file is refused with the words `said`
 };
@@ -25,8 +25,8 @@ struct Property {
     std::vector<std::pair<std::string, Json>> also = {};  ///< further changes that it needs
 };
 
-/// All objects of glTF 2.0 at least once, without anything that brings a warning. Scene 0 has two meshes, of
-/// which mesh 1 has a skin, a camera and three lights; node 7, which is mesh 0 again, is in scene 1 alone.
+/// Makes a file with all objects of glTF 2.0 at least once that causes no warning. Scene 0 has two meshes, a
+/// camera and three lights; mesh 1 has a skin. Node 7, which is mesh 0 again, is only in scene 1.
 inline GltfFile file_of_everything(const TemporaryDirectory& directory) {
     GltfFile file = one_triangle();
     // Accessors 1 to 13, each with a buffer view of the same number.
@@ -73,7 +73,7 @@ inline GltfFile file_of_everything(const TemporaryDirectory& directory) {
                                {{"primitives", {{{"attributes", skinned}, {"material", 1}}}}}};
     file.document["nodes"] = {
         {{"mesh", 0}},
-        {{"mesh", 1}, {"skin", 0}, {"translation", {0, 0, 7}}},  // which the skin passes over
+        {{"mesh", 1}, {"skin", 0}, {"translation", {0, 0, 7}}},  // ignored because of the skin
         {{"translation", {0, 0, 2.5}}},
         {{"camera", 0}},
         {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}},
@@ -109,7 +109,7 @@ inline GltfFile file_of_everything(const TemporaryDirectory& directory) {
     return file;
 }
 
-/// All of a scene that its pictures depend on: not names.
+/// Returns everything in a scene that its images depend on, which excludes names.
 inline std::string description(const Scene& scene) {
     std::ostringstream text;
     text << common::fingerprint(scene);
@@ -120,7 +120,7 @@ inline std::string description(const Scene& scene) {
 
 class GltfProperties : public LoadGltf {
   protected:
-    /// Changes the properties one by one and holds what happens to what is claimed.
+    /// Changes the properties one by one and compares the result with the expected treatment.
     void check(const std::vector<Property>& properties) const {
         const Scene whole = load(file_of_everything(directory));
         EXPECT_EQ(whole.warnings, std::vector<std::string>());

@@ -1,4 +1,4 @@
-// Small glTF files, put together in memory for the tests.
+// Small glTF files that tests build in memory.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ Bytes bytes_of(const std::vector<T>& values) {
     return bytes;
 }
 
-/// A directory of the running test's own, removed with the object.
+/// A directory of the running test, removed with the object.
 class TemporaryDirectory {
   public:
     TemporaryDirectory() {
@@ -67,7 +67,7 @@ struct GltfFile {
     Json document = {{"asset", {{"version", "2.0"}}}};
     Bytes buffer;
 
-    /// Both return the index of what they add.
+    /// These functions return the index of what they add.
     int add_view(const Bytes& bytes) {
         const std::size_t offset = buffer.size();
         buffer.insert(buffer.end(), bytes.begin(), bytes.end());
@@ -90,13 +90,13 @@ struct GltfFile {
     Json& node(std::size_t i = 0) { return document["nodes"][i]; }
     Json& accessor(int i) { return document["accessors"][static_cast<std::size_t>(i)]; }
     Json& view(int i) { return document["bufferViews"][static_cast<std::size_t>(i)]; }
-    /// The only material, used by the only primitive.
+    /// Returns the only material, which the only primitive uses.
     Json& material() {
         primitive()["material"] = 0;
         return document["materials"][0];
     }
 
-    /// A .gltf file with its buffer beside it.
+    /// Writes a .gltf file with its buffer beside it, and returns its path.
     [[nodiscard]] std::filesystem::path write(const TemporaryDirectory& directory) const {
         directory.write("data.bin", buffer);
         Json text = document;
@@ -104,7 +104,7 @@ struct GltfFile {
             text["buffers"] = {{{"byteLength", buffer.size()}, {"uri", "data.bin"}}};
         return directory.write("scene.gltf", text.dump());
     }
-    /// The bytes of a .glb file.
+    /// Returns the bytes of a .glb file.
     [[nodiscard]] Bytes glb() const {
         Json text = document;
         text["buffers"] = {{{"byteLength", buffer.size()}}};
@@ -112,12 +112,12 @@ struct GltfFile {
     }
 };
 
-/// A material that is white and Lambertian; glTF's own default is a metal.
+/// Returns a white Lambertian material, since glTF's default is a metal.
 inline Json matt() {
     return {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}};
 }
 
-/// One unindexed triangle (0,0,0), (1,0,0), (0,1,0) that looks along +z: accessor 0, mesh 0, node 0, scene 0,
+/// Makes one unindexed triangle (0,0,0), (1,0,0), (0,1,0) that faces +z: accessor 0, mesh 0, node 0, scene 0,
 /// with the matt material 0.
 inline GltfFile one_triangle() {
     GltfFile file;
@@ -130,7 +130,7 @@ inline GltfFile one_triangle() {
     return file;
 }
 
-/// PNG of two pixels side by side, red and green.
+/// Returns a PNG of two pixels side by side, red and green.
 inline Bytes red_green_png() {
     return {0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48, 0x44,
             0x52, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x08, 0x02, 0x00, 0x00, 0x00, 0x7B,
@@ -139,7 +139,8 @@ inline Bytes red_green_png() {
             0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE, 0x42, 0x60, 0x82};
 }
 
-/// PNG of one pixel with 16 bits per channel: 65535, 32800, 1, which round to 255, 128 and 0 of 255.
+/// Returns a PNG of one pixel with 16 bits per channel: 65535, 32800 and 1, which round to 255, 128 and 0 of
+/// 255.
 inline Bytes sixteen_bit_png() {
     return {0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48, 0x44,
             0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x10, 0x02, 0x00, 0x00, 0x00, 0xC0,
@@ -148,7 +149,7 @@ inline Bytes sixteen_bit_png() {
             0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE, 0x42, 0x60, 0x82};
 }
 
-/// PNG of two pixels side by side, red with alpha 255 and green with alpha 128.
+/// Returns a PNG of two pixels side by side, red with alpha 255 and green with alpha 128.
 inline Bytes half_clear_png() {
     return {0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48, 0x44,
             0x52, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x08, 0x06, 0x00, 0x00, 0x00, 0xF4,

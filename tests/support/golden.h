@@ -1,4 +1,4 @@
-// Golden images: how they are made, and when an image is still the same as one.
+// Golden images: renders them, and judges whether an image still equals one.
 #pragma once
 
 #include <OpenImageIO/imagebuf.h>
@@ -18,28 +18,28 @@ inline constexpr std::array<const char*, 4> scenes = {"cornell", "bumpy", "caust
 inline constexpr std::array<const char*, 2> methods = {"photonmap/flann", "shlm"};
 inline constexpr std::uint64_t seed = 1;
 
-/// tests/golden/SCENE-METHOD.exr in the source tree.
+/// Returns tests/golden/SCENE-METHOD.exr in the source tree.
 inline fs::path file_of(const std::string& scene, std::string method) {
     std::replace(method.begin(), method.end(), '/', '-');
     return fs::path(SHLMBENCH_GOLDEN_FOLDER) / fmt::format("{}-{}.exr", scene, method);
 }
 
-/// One of the project's own scenes, drawn as the golden images are.
+/// Renders one of the project's own scenes with the settings of the golden images.
 inline common::Image render(const std::string& scene, const std::string& method, std::uint64_t with_seed) {
     constexpr int width = 96, height = 54;
     constexpr std::uint64_t hits = 200'000;
     const bench::LoadedScene loaded(fmt::format("{}/scenes/{}.glb", SHLMBENCH_BINARY_DIR, scene), {});
     const common::PhotonSource source(loaded.scene);
     bench::ContenderSettings settings;
-    settings.texels.count = 16'384;  // a dozen hits for each
+    settings.texels.count = 16'384;  // a dozen hits per texel
     bench::PreparedScene prepared(loaded, settings);
     const auto pixels = common::visible_surfaces(loaded.rays, loaded.camera, width, height);
     return bench::render_run(bench::parse_contender("golden", method), prepared,
                              {loaded.rays, source, with_seed, {.hits = hits}}, pixels, width, height);
 }
 
-/// What keeps two images from being compared at all: sizes, channels, values that are not finite. Empty where
-/// nothing does.
+/// Returns why two images cannot be compared at all: sizes, channels, or values that are not finite. Empty if
+/// they can.
 inline std::string obstacle(const OIIO::ImageBuf& image, const OIIO::ImageBuf& expected) {
     const OIIO::ImageSpec &a = image.spec(), &b = expected.spec();
     if (a.width != b.width || a.height != b.height)
@@ -55,13 +55,14 @@ inline std::string obstacle(const OIIO::ImageBuf& image, const OIIO::ImageBuf& e
     return "";
 }
 
-/// How far two images of the same size are apart, over one group of channels.
+/// The difference of two images of the same size, over one group of channels.
 struct Difference {
     double relative_rms;   ///< root mean square of the difference over that of the expected image
-    double changed_share;  ///< of the pixels, by more than 1 % of the expected image's root mean square
+    double changed_share;  ///< fraction of pixels that differ by more than 1 % of the expected image's root
+                           ///< mean square
 };
 
-/// Over the channels from `first` to before `end`.
+/// Compares the channels from `first` to before `end`.
 inline Difference difference(const OIIO::ImageBuf& image, const OIIO::ImageBuf& expected, int first,
                              int end) {
     OIIO::ROI channels = expected.roi();
@@ -76,22 +77,22 @@ inline Difference difference(const OIIO::ImageBuf& image, const OIIO::ImageBuf& 
             static_cast<double>(result.nfail) / static_cast<double>(expected.spec().image_pixels())};
 }
 
-/// Largest share of changed pixels, and largest relative rms as a share of the noise, for an image to be the
-/// same.
+/// Bounds for an image to be the same: the largest fraction of changed pixels, and the largest relative RMS
+/// as a fraction of the noise.
 ///
-/// The same seed gives the same photons, but rounding differs between compilers, instruction sets and
-/// versions of Embree and libm, and now and then sends a photon past the other side of an edge. Such a photon
-/// changes the pixels that gather it or what it leads to, and no others. A wrong factor, or light in another
-/// place, changes nearly all of them. And were a share f of all photons others, the rms would be sqrt(f) of
-/// what it is between two seeds: the second bound is f = 1/100.
+/// The same seed gives the same photons. But rounding differs between compilers, instruction sets and
+/// versions of Embree and libm, and occasionally sends a photon past the other side of an edge. Such a photon
+/// changes only the pixels that gather it or its later hits. A wrong factor, or light elsewhere, changes
+/// nearly all pixels. If a fraction f of all photons differed, the RMS would be sqrt(f) of that between two
+/// seeds: the second bound is f = 1/100.
 ///
-/// Measured: without optimisation, or compiled for generic x86-64, not a bit changes; with -ffast-math, which
-/// rounds differently all over, one pixel in 5184 and an rms of 0.0004. Between two seeds: 4 pixels of 5, and
-/// 0.02 to 0.22.
+/// Measured: nothing changes without optimisation, or when compiled for generic x86-64. With -ffast-math,
+/// which rounds differently everywhere, one pixel in 5184 changes, and the RMS is 0.0004. Between two seeds 4
+/// pixels of 5 change, and the RMS is 0.02 to 0.22.
 inline constexpr double max_changed_share = 0.01, max_rms_to_noise = 0.1;
 
-/// What makes `image` another one than `expected`; empty where it is the same. `other_seed` is the same
-/// picture from other photons: its difference is the noise.
+/// Returns how `image` differs from `expected`; empty if it is the same. `other_seed` is the same picture
+/// from other photons; its difference is the noise.
 inline std::string deviation(const OIIO::ImageBuf& image, const OIIO::ImageBuf& expected,
                              const OIIO::ImageBuf& other_seed) {
     struct Group {

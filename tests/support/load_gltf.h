@@ -1,4 +1,4 @@
-// What the tests of the glTF loader share: a fixture that writes files and loads them.
+// Shared by the tests of the glTF loader: a fixture that writes files and loads them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ inline bool has_warning(const Scene& scene, const std::string& part) {
     return false;
 }
 
-/// One triangle with both sets of texture coordinates and a matt material without textures.
+/// Makes one triangle with both sets of texture coordinates and a matt material without textures.
 inline GltfFile textured_triangle() {
     GltfFile file = one_triangle();
     file.primitive()["attributes"]["TEXCOORD_0"] = file.add_accessor<float>({0, 0, 1, 0, 0, 1}, f32, "VEC2");
@@ -48,7 +48,7 @@ class LoadGltf : public testing::Test {
   protected:
     [[nodiscard]] Scene load(const GltfFile& file) const { return common::load_gltf(file.write(directory)); }
 
-    /// The message with which `file` is refused.
+    /// Returns the message with which `file` is refused.
     [[nodiscard]] static std::string error_of(const std::filesystem::path& file) {
         try {
             (void)common::load_gltf(file);
@@ -67,7 +67,7 @@ class LoadGltf : public testing::Test {
         expect_error(file.write(directory), part);
     }
 
-    /// Textured triangle with one value put in at the JSON pointer `place`.
+    /// Expects that the textured triangle is refused if one value is replaced at the JSON pointer `place`.
     void expect_change_refused(const char* place, const Json& value, const std::string& part) const {
         GltfFile file = textured_triangle();
         file.document[Json::json_pointer(place)] = value;
@@ -85,7 +85,7 @@ using LoadGltfLights = LoadGltf;
 using LoadGltfCameras = LoadGltf;
 using LoadGltfErrors = LoadGltf;
 
-/// The triangles' corners, as positions.
+/// Returns the positions of the triangles' corners.
 inline std::vector<std::array<Vec3, 3>> triangles_of(const Scene& scene) {
     std::vector<std::array<Vec3, 3>> triangles;
     for (const auto& [a, b, c] : scene.triangle)

@@ -1,4 +1,4 @@
-// Hits on a floor of one texel, and what models make of them.
+// Hits on a floor of one texel, and the irradiance that models give for them.
 #pragma once
 
 #include "shlm/map/sink.h"
@@ -7,7 +7,7 @@
 
 namespace tests {
 
-/// All that there are.
+/// All instantiated models.
 using AllModels = std::tuple<
     shlm::TexelModel<0, shlm::ShWeight::radiance>, shlm::TexelModel<1, shlm::ShWeight::radiance>,
     shlm::TexelModel<2, shlm::ShWeight::radiance>, shlm::TexelModel<4, shlm::ShWeight::radiance>,
@@ -22,7 +22,7 @@ void for_each_model(Test test) {
     std::apply([&](auto... model) { (test(model), ...); }, AllModels{});
 }
 
-/// The same for one weight.
+/// Does the same for the models with one weight.
 template <shlm::ShWeight Weight, class Test>
 void for_each_order(Test test) {
     for_each_model([&](auto model) {
@@ -30,7 +30,7 @@ void for_each_order(Test test) {
     });
 }
 
-/// A floor of one texel at z = 0 with an area of 1.
+/// Makes a floor of one texel at z = 0 with an area of 1.
 inline const Scene& floor_scene() {
     static const Scene made = [] {
         Scene scene;
@@ -40,7 +40,7 @@ inline const Scene& floor_scene() {
     return made;
 }
 
-/// A hit that brings `flux` to the floor from there.
+/// Adds a hit that brings `flux` to the floor from this direction.
 inline void add_hit(common::HitBatch& hits, const Vec3& towards_light, const Rgb& flux) {
     hits.push_back({0.5f, 0.5f, 0}, -towards_light, flux, on_quad(0, 0.5f, 0.5f));
 }
@@ -51,7 +51,7 @@ inline common::HitBatch one_hit(const Vec3& towards_light, const Rgb& flux) {
     return hits;
 }
 
-/// What a model makes of hits on the floor, asked for different shading normals.
+/// A map of hits on the floor, evaluated for different shading normals.
 template <class Model>
 class Floor {
   public:
@@ -77,13 +77,14 @@ class Floor {
 
 inline const Vec3 up(0, 0, 1);
 
-/// Unit, `tilt` radians from straight up, turned by `turn` radians.
+/// Returns a unit vector `tilt` radians from straight up, rotated by `turn` radians.
 inline Vec3 direction(double tilt, double turn = 0) {
     return {static_cast<float>(std::sin(tilt) * std::cos(turn)),
             static_cast<float>(std::sin(tilt) * std::sin(turn)), static_cast<float>(std::cos(tilt))};
 }
 
-/// The clamped cosine's series, cut off after an order, at a cosine of x. It is cut off below zero, too.
+/// Returns the series of the clamped cosine, truncated after an order, at a cosine of x. It is clamped at
+/// zero, too.
 inline double kernel(int order, double x) {
     switch (order) {
         case 0:

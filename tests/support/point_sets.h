@@ -1,4 +1,4 @@
-// Point sets that indices find hard, and the exact answer to set beside theirs.
+// Point sets that are hard for indices, and exact answers to compare with.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace tests {
 
 inline constexpr float no_limit = std::numeric_limits<float>::infinity();
 
-/// Sets of about `count` points by what is hard about them.
+/// Returns sets of about `count` points, named by what makes them hard.
 inline std::map<std::string, std::vector<common::Vec3>> hard_point_sets(std::size_t count, unsigned seed) {
     using common::Vec3;
     std::mt19937 engine(seed);
@@ -39,7 +39,7 @@ inline std::map<std::string, std::vector<common::Vec3>> hard_point_sets(std::siz
     return sets;
 }
 
-/// What must be found, by sorting all points.
+/// Returns the exact result by sorting all points.
 template <class Accept>
 std::vector<common::Neighbour> sorted_nearest(std::span<const common::Vec3> points, const common::Vec3& query,
                                               std::size_t k, float radius_sq, Accept accept) {
@@ -77,8 +77,8 @@ std::vector<common::Neighbour> found_within(const Index& index, const common::Ve
     return found;
 }
 
-/// Asks on the points, beside them and outside, for the k nearest and for all within `radius` and other
-/// radii.
+/// Compares searches for the k nearest, and for all points within `radius` and other radii. Queries are on
+/// the points, beside them and outside.
 template <class Index>
 void expect_exact_sets(const Index& index, std::span<const common::Vec3> points, float radius, unsigned seed,
                        int queries) {
@@ -91,7 +91,7 @@ void expect_exact_sets(const Index& index, std::span<const common::Vec3> points,
         if (q % 4 == 2) query += Vec3(uniform(engine), uniform(engine), uniform(engine)) * radius;
         const std::size_t k = std::array<std::size_t, 5>{1, 2, 7, 50, 200}[engine() % 5];
         const float reach = radius * std::array{1.0f, 1.0f, 0.3f, 2.5f, no_limit}[engine() % 5];
-        const std::uint32_t left_out = engine() % 2 ? 3 : 1'000'000'000;  // every third, or the first alone
+        const std::uint32_t left_out = engine() % 2 ? 3 : 1'000'000'000;  // every third, or only the first
         const auto accept = [&](std::uint32_t p) { return p % left_out != 0; };
         SCOPED_TRACE(testing::Message() << "query " << q << ", k " << k << ", reach " << reach);
         ASSERT_EQ(found_nearest(index, query, k, reach * reach, accept),

@@ -1,4 +1,4 @@
-// How far the methods' images are from the kept references: how that is measured, and what is to be expected.
+// Measures how far the methods' images are from the stored references, and what to expect.
 #pragma once
 
 #include <fmt/ranges.h>
@@ -19,10 +19,10 @@ using Words = std::vector<std::string>;
 
 inline constexpr std::array<const char*, 4> scenes = {"cornell", "bumpy", "caustic", "atrium"};
 
-/// How the images are drawn: as large as the references, a dozen hits for each texel.
+/// The render settings: the size of the references, and a dozen hits per texel.
 inline const Words drawing = {"--width", "96", "--height", "54", "--texels", "16384", "--hits", "200000"};
 
-/// The bounds are measured over these seeds.
+/// The seeds over which the bounds are measured.
 inline constexpr std::uint64_t first_seed = 101;
 inline constexpr int seed_count = 16;
 
@@ -30,7 +30,7 @@ struct Subject {
     std::string scene, method;
 };
 
-/// What is compared. A light map without directions knows nothing of bumpy's normal maps.
+/// Returns what is compared. A light map without directions ignores bumpy's normal maps.
 inline std::vector<Subject> subjects() {
     std::vector<Subject> all;
     for (const std::string scene : scenes)
@@ -49,7 +49,7 @@ inline fs::path bounds_file() {
     return fs::path(SHLMBENCH_GOLDEN_FOLDER) / "difference_bounds.json";
 }
 
-/// Tells one reference from another. Its relative error has six digits and changes with every sample.
+/// Identifies a reference. Its relative error has six digits and changes with every sample.
 inline Json identity_of(const fs::path& reference) {
     const common::ImageNotes notes = common::read_notes(reference);
     Json identity;
@@ -58,12 +58,12 @@ inline Json identity_of(const fs::path& reference) {
     return identity;
 }
 
-/// The project's own command; what it says goes to files in `folder`.
+/// Runs the project's command; its output goes to files in `folder`.
 inline child_process::Ended run(const Words& words, const fs::path& folder) {
     return child_process::Child(fs::path(SHLMBENCH_BINARY_DIR) / "shlmbench", words, folder).wait();
 }
 
-/// Draws the image. Throws std::runtime_error where that fails.
+/// Renders the image. Throws std::runtime_error where that fails.
 inline void render(const Subject& subject, std::uint64_t seed, const fs::path& image) {
     Words words = {"render",   fmt::format("{}/scenes/{}.glb", SHLMBENCH_BINARY_DIR, subject.scene),
                    "--method", subject.method,
@@ -74,14 +74,14 @@ inline void render(const Subject& subject, std::uint64_t seed, const fs::path& i
     if (ended.exit_code != 0) throw std::runtime_error(ended.err);
 }
 
-/// As shlmbench diff has them.
+/// Figures as shlmbench diff reports them.
 struct Figures {
     double relmse, relative_bias;
 };
 
 struct Comparison {
     Figures figures;
-    bool fails;  ///< whether the command says so by its exit code
+    bool fails;  ///< whether the command's exit code says so
 };
 
 /// Compares an image with the scene's reference; `most_relmse` becomes --fail-relmse. Throws
@@ -99,17 +99,17 @@ inline Comparison compare(const fs::path& image, const std::string& scene,
 struct Interval {
     double low, high;
 
-    /// No number is none that it contains.
+    /// NaN is never contained.
     [[nodiscard]] bool contains(double value) const { return low <= value && value <= high; }
 };
 
-/// Mean and standard deviation of normal values, as estimated from `count` of them.
+/// Mean and standard deviation of a normal distribution, estimated from `count` values.
 struct Spread {
     double mean, standard_deviation;
     int count;
 
-    /// One more value lies outside with probability `alpha` (Student's t: both mean and deviation are
-    /// estimates).
+    /// Returns the interval that one more value leaves with probability `alpha` (Student's t, as both mean
+    /// and deviation are estimates).
     [[nodiscard]] Interval prediction(double alpha) const {
         const double reach = tests::t_for(alpha, count - 1) * standard_deviation * std::sqrt(1 + 1.0 / count);
         return {mean - reach, mean + reach};

@@ -1,4 +1,4 @@
-// Runs of the reference on scenes put together in code, and what its answers are held against.
+// Runs the reference on scenes built in code, and compares its results.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace tests {
 using common::reference::ReferenceSums;
 using Imath::V3d;
 
-/// The points as pixels that see them.
+/// Returns pixels that see the points.
 inline std::vector<common::VisibleSurface> as_pixels(std::span<const SurfacePoint> points) {
     std::vector<common::VisibleSurface> pixels(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -42,11 +42,12 @@ inline double variance(const ReferenceSums& sums, std::size_t point, int channel
     return sums.pixel[point][channel].variance().value();
 }
 
-/// Rays start and end a few millionths of the scene off its surfaces, which steep falloffs multiply.
+/// Rays start and end a few millionths of the scene's size off its surfaces, which steep falloffs magnify.
 inline constexpr double rounding = 1e-4;
 
-/// Every point is as near to what it should be as its own variance says, and so is the mean over all of them:
-/// each of the two fails by chance with probability 1e-5 in all. Takes an odd number of passes.
+/// Expects every point to be as close to the expected value as its own variance allows, and also the mean
+/// over all points. Each of the two fails by chance with probability 1e-5 in all. Needs an odd number of
+/// passes.
 inline void expect_irradiance(const ReferenceSums& sums, std::span<const V3d> expected) {
     constexpr double alpha = 1e-5;
     const auto count = static_cast<double>(expected.size());
@@ -74,8 +75,8 @@ inline void expect_irradiance(const ReferenceSums& sums, std::span<const double>
     expect_irradiance(sums, std::span<const V3d>(channels));
 }
 
-/// Irradiance at `position` for `normal` from a polygon of radiance 1 that lies above the horizon (Lambert,
-/// "Photometria", 1760): half the sum over its edges of the angle they take up, projected.
+/// Returns the irradiance at `position` for `normal` from a polygon of radiance 1 above the horizon (Lambert,
+/// "Photometria", 1760): half the sum over its edges of the angle they subtend, projected.
 inline double lambert(const std::vector<Vec3>& corners, const Vec3& position, const Vec3& normal) {
     double sum = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -86,14 +87,14 @@ inline double lambert(const std::vector<Vec3>& corners, const Vec3& position, co
     return std::abs(sum) / 2;
 }
 
-/// Triangles that light reaches, and from which side.
+/// A triangle that light reaches, and the side.
 struct LitFace {
     std::uint32_t triangle;
     bool from_back = false;
 };
 
-/// A point on one of the faces, uniform by area, that is asked for its triangle's own normal: what it gets is
-/// flux per area.
+/// Returns a point on one of the faces, uniform by area, with its triangle's normal as shading normal, so
+/// that its irradiance is flux per area.
 inline SurfacePoint random_point(const Scene& scene, std::span<const LitFace> faces, std::mt19937& engine) {
     std::vector<double> areas;
     for (const LitFace& face : faces)
@@ -118,7 +119,8 @@ inline std::vector<LitFace> fronts(std::uint32_t first, std::uint32_t count) {
     return faces;
 }
 
-/// Mean irradiance over the faces, red, from one pass at each of `count` random points.
+/// Returns the mean irradiance over the faces in the red channel, from one pass at each of `count` random
+/// points.
 inline Sample mean_irradiance(const Scene& scene, std::span<const LitFace> faces, std::size_t count) {
     constexpr std::uint64_t seed = 1;
     std::mt19937 engine(static_cast<unsigned>(seed));
@@ -130,9 +132,9 @@ inline Sample mean_irradiance(const Scene& scene, std::span<const LitFace> faces
     return sample;
 }
 
-/// What arrives on all faces of a closed room whose surfaces have one albedo is the light's power and what
-/// they reflect of it, whatever the shape: the mean irradiance is power / (area (1 - albedo)). Fails by
-/// chance with probability 1e-5.
+/// Checks the energy balance of a closed room of one albedo. What arrives on all faces is the light's power
+/// and what they reflect of it, whatever the shape: the mean irradiance is power / (area (1 - albedo)). Fails
+/// by chance with probability 1e-5.
 inline void expect_closed_room(const Scene& scene, std::span<const LitFace> faces, double power,
                                double albedo, std::size_t count) {
     double area = 0;

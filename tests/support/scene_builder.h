@@ -1,4 +1,4 @@
-// Scenes put together in code, as the stability cases do.
+// Builds scenes in code, as the stability cases do.
 #pragma once
 
 #include "bench/setup/scene_builder.h"

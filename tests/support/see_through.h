@@ -12,22 +12,23 @@ inline Material thin_sheet(float index_of_refraction = 1.5f, const Rgb& tint = R
     return material;
 }
 
-/// There in part.
+/// Returns the material with partial coverage `alpha`.
 inline Material blended(Material material, float alpha) {
     material.alpha_mode = common::AlphaMode::blend;
     material.alpha = alpha;
     return material;
 }
 
-/// There where alpha is at least half.
+/// Returns the material, which exists where alpha is at least half.
 inline Material masked(Material material, float alpha = 1) {
     material.alpha_mode = common::AlphaMode::mask;
     material.alpha = alpha;
     return material;
 }
 
-/// The material, its base colour read from a texture of the scene that is added for it: white, with an alpha
-/// of 1 in every other one of 8 x 8 squares, and of 0 in the rest. Filtered, so that half of it is above 1/2.
+/// Returns the material with a base colour from a new texture of the scene. It is white, with an alpha of 1
+/// in every other one of 8 x 8 squares, and of 0 in the rest. It is filtered, so that half of it is above
+/// 1/2.
 inline Material checkered(Scene& scene, Material material) {
     constexpr int size = 64, square = 8;
     std::vector<std::uint8_t> alpha(size * size);
@@ -39,8 +40,8 @@ inline Material checkered(Scene& scene, Material material) {
     return material;
 }
 
-/// Gives the vertices of an instance the color `of(position)`, and all others of the scene, as it is, white
-/// where they have none yet.
+/// Sets the colours of an instance's vertices to `of(position)`. All other vertices of the scene that have no
+/// colour yet become white.
 template <class Color>
 void set_color(Scene& scene, std::uint32_t instance, Color of) {
     scene.color.resize(scene.position.size(), Rgb(1, 1, 1));
@@ -50,10 +51,10 @@ void set_color(Scene& scene, std::uint32_t instance, Color of) {
         for (const std::uint32_t vertex : scene.triangle[t]) scene.color[vertex] = of(scene.position[vertex]);
 }
 
-/// A closed room, askew, with all that light may go through and all that has colours of its own: a wall with
-/// a gradient, a fence with holes, a sheet that is there in part, more so on one side, a tinted pane, and two
-/// instances of one ball, one of them colored and one blended. The lamp has holes too. Instances in the order
-/// of `RoomPart`.
+/// A closed, rotated room with everything that light may pass through and all kinds of vertex colours. It has
+/// a wall with a gradient, a fence with holes, a partly transparent sheet whose alpha varies, a tinted pane,
+/// and two instances of one ball, one coloured and one blended. The lamp has holes too. Instances are in the
+/// order of `RoomPart`.
 enum RoomPart : std::uint32_t {
     first_wall,
     lamp = 6,

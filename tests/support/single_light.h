@@ -1,4 +1,4 @@
-// Single lights over a texel that faces up, and what a series makes of them.
+// Single lights over a texel that faces up, and the truncated series of their irradiance.
 #pragma once
 
 #include <cmath>
@@ -20,8 +20,8 @@ inline bench::bases::Environment one_light(double degrees) {
     return {{towards_light, towards_light.z}};
 }
 
-/// Irradiance of a plane under one light of irradiance 1, of which bands up to `order` are kept; x is the
-/// cosine between the two. Written out from Legendre polynomials (Ramamoorthi and Hanrahan 2001, eq. 8).
+/// Returns the irradiance of a plane under one light of irradiance 1, truncated after the band `order`; x is
+/// the cosine between the two. Written with Legendre polynomials (Ramamoorthi and Hanrahan 2001, eq. 8).
 inline double truncated_kernel(int order, double x) {
     double sum = 0.25;
     if (order >= 1) sum += 0.5 * x;

@@ -1,4 +1,4 @@
-// Bounds for random quantities, from a declared chance of failing by accident.
+// Bounds for random quantities with a declared false alarm probability.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace tests {
 
-/// The larger number in an optimised build, the smaller one where every sample is slow: without optimisation
-/// or under a sanitizer.
+/// Returns the first number in an optimised build, the second one where every sample is slow: without
+/// optimisation or under a sanitizer.
 constexpr std::uint64_t count_for(std::uint64_t optimised, std::uint64_t slow) {
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     (void)slow;
@@ -24,8 +24,8 @@ using bench::student_tail;
 using bench::t_for;
 using bench::z_for;
 
-/// Probability that a chi-square variable exceeds `x`. For an even number of degrees of freedom 2 n this is
-/// the probability of fewer than n Poisson events of mean x / 2.
+/// Returns the probability that a chi-square variable exceeds `x`. For an even number 2 n of degrees of
+/// freedom, this is the probability of fewer than n Poisson events of mean x / 2.
 inline double chi_square_tail(double x, int even_degrees_of_freedom) {
     const double mean = 0.5 * x;
     double sum = 0;
@@ -34,7 +34,7 @@ inline double chi_square_tail(double x, int even_degrees_of_freedom) {
     return mean > 0 ? sum : 1.0;
 }
 
-/// Chi-square statistic of counts against expected counts.
+/// Returns the chi-square statistic of counts against expected counts.
 template <class Counts, class Expected>
 double chi_square(const Counts& counts, const Expected& expected) {
     double sum = 0;
@@ -46,7 +46,7 @@ double chi_square(const Counts& counts, const Expected& expected) {
     return sum;
 }
 
-/// Mean, spread and standard error of independent values.
+/// Mean, variance and standard error of independent values.
 class Sample {
   public:
     void add(double value) {

@@ -1,4 +1,4 @@
-// shlmbench study, run in a small form, and what its files say.
+// Runs shlmbench study in a small form, and reads its files.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ inline const Words some_methods = {"shlm/L2/radiance/knn4", "shlm/L2/radiance/ow
 
 inline constexpr int width = 16, height = 9;
 
-/// A folder with cornell.exr, the same for all tests: its making takes longer than most of them.
+/// Returns a folder with cornell.exr, shared by all tests, since making it takes longer than most of them.
 inline const fs::path& references() {
     static const TemporaryDirectory folder;
     static const bool made = [] {
@@ -50,7 +50,7 @@ std::vector<T> values_of(const fs::path& file) {
     return values;
 }
 
-/// What a study's command line says.
+/// The command line of a study.
 struct Request {
     std::string out;
     Words methods = some_methods;
@@ -72,7 +72,8 @@ inline Words words_of(const Request& request) {
     return words;
 }
 
-/// The folder of a study of the default request, finished, the same for all tests: none may change it.
+/// Returns the folder of a finished study of the default request, shared by all tests, which must not change
+/// it.
 inline const fs::path& finished_study() {
     static const TemporaryDirectory folder;
     static const bool made = [] {
@@ -97,7 +98,7 @@ inline fs::path answers_of(const fs::path& study, const Json& row) {
 
 using Contents = std::map<std::string, std::string>;
 
-/// All files below `folder` with what is in them.
+/// Returns all files below `folder` with their contents.
 inline Contents contents_of(const fs::path& folder) {
     Contents contents;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -110,14 +111,14 @@ class Study : public Command {
   protected:
     [[nodiscard]] Ended run(const Request& request) const { return run_command(words_of(request), said); }
 
-    /// Runs a whole study; returns its rows.
+    /// Runs a whole study and returns its rows.
     [[nodiscard]] Json study(const Request& request) const {
         const Ended ended = run(request);
         EXPECT_EQ(ended.exit_code, 0) << ended.err;
         return rows_of(request.out);
     }
 
-    /// Exit code 2, one line that has all of `fragments`, and every file as it was.
+    /// Expects exit code 2, one line that contains all of `fragments`, and every file unchanged.
     void expect_refusal(const Request& request, const Words& fragments) const {
         const Words words = words_of(request);
         SCOPED_TRACE(testing::PrintToString(words));
@@ -126,7 +127,7 @@ class Study : public Command {
         EXPECT_TRUE(contents_of(folder.path()) == before) << "a file has changed";
     }
 
-    /// Makes another reference than references().
+    /// Makes a reference other than references().
     void make_reference(const std::string& name, const Words& more,
                         const std::string& scene = cornell) const {
         Words words = {"reference", scene, "--out", path(name), "--spp", "64"};
@@ -138,7 +139,7 @@ class Study : public Command {
 
 using Key = std::tuple<std::string, std::uint64_t, std::uint64_t>;
 
-/// Method, hits asked for and seed.
+/// Returns method, hits asked for and seed.
 inline Key key_of(const Json& row) {
     return {row["method"], row["hits_asked"], row["seed"]};
 }
@@ -149,7 +150,7 @@ inline std::set<Key> keys_of(const Json& rows) {
     return keys;
 }
 
-/// Rows by method, size and seed.
+/// Returns the rows by method, size and seed.
 inline std::map<Key, Json> by_key(const Json& rows) {
     std::map<Key, Json> sorted;
     for (const Json& row : rows) sorted[key_of(row)] = row;
@@ -157,8 +158,8 @@ inline std::map<Key, Json> by_key(const Json& rows) {
     return sorted;
 }
 
-/// The same but for what depends on the moment: times, and the bytes of an index, which are measured at the
-/// allocator, where threads that start meanwhile take a page or two.
+/// Expects equal rows, except for times and, within a tolerance, the bytes of an index. These are measured at
+/// the allocator, where threads that start meanwhile may take a page or two.
 inline void expect_same_rows(const Json& actual, const Json& expected) {
     std::map<Key, Json> a = by_key(actual), b = by_key(expected);
     ASSERT_EQ(a.size(), b.size());

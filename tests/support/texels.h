@@ -1,4 +1,4 @@
-// Texels by lightmap coordinates, for scenes that have them.
+// Makes texels by lightmap coordinates, for scenes that have them.
 #pragma once
 
 #include "shlm/layout/prepared_texels.h"

@@ -1,4 +1,4 @@
-// Runs of the photon tracer on scenes put together in code.
+// Runs the photon tracer on scenes built in code.
 #pragma once
 
 #include <cstring>
@@ -25,13 +25,13 @@ inline TracedRun record(const Scene& scene, std::uint64_t seed, common::TraceTar
     return bench::traced(scene, seed, target);
 }
 
-/// Whether the first elements of two columns are the same to the last bit.
+/// Returns whether the first elements of two columns are bitwise equal.
 template <class T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b, std::size_t count) {
     return a.size() >= count && b.size() >= count && std::memcmp(a.data(), b.data(), count * sizeof(T)) == 0;
 }
 
-/// Whether `longer` begins with all of `shorter`, to the last bit.
+/// Returns whether `longer` begins with all of `shorter`, bit by bit.
 inline bool begins_with(const common::HitBatch& longer, const common::HitBatch& shorter) {
     const std::size_t count = shorter.size();
     return same_bits(longer.position, shorter.position, count) &&
@@ -43,7 +43,8 @@ inline bool same_hits(const common::HitBatch& a, const common::HitBatch& b) {
     return a.size() == b.size() && begins_with(a, b);
 }
 
-/// Units for the light of a scene, or of hits made by hand: as if their brightest had all the light.
+/// Returns the quantum for the light of a scene, or for hits made by hand as if the brightest carried all the
+/// light.
 inline shlm::Quantum quantum_for(const Scene& scene) {
     return shlm::Quantum(common::PhotonSource(scene).power());
 }

@@ -6,7 +6,7 @@
 
 namespace {
 
-/// What a device says that may use no wider vectors than `isa`, a name of Embree's.
+/// Returns the instruction set of a device that may use no wider vectors than `isa`, one of Embree's names.
 std::string instruction_set_within(const char* isa) {
     const common::EmbreeDevice device(rtcNewDevice(isa));
     return common::instruction_set(device.get());

@@ -26,19 +26,19 @@ Scene lamp(const Material& material) {
     return scene;
 }
 
-/// A box to give the scene bounds of a known size: diagonal 2 sqrt(3).
+/// Makes a box that gives the scene bounds of a known size: diagonal 2 sqrt(3).
 Scene dark_box() {
     return closed_box(diffuse(Rgb(0.5f, 0.5f, 0.5f)));
 }
 
-/// The spot's intensity by the formula of KHR_lights_punctual.
+/// Returns the spot's intensity by the formula of KHR_lights_punctual.
 double gltf_falloff(double cosine, double cos_inner, double cos_outer) {
     const double scale = 1 / std::max(0.001, cos_inner - cos_outer);
     const double ramp = std::clamp(cosine * scale - cos_outer * scale, 0.0, 1.0);
     return ramp * ramp;
 }
 
-/// Integral of the falloff over the directions with cosines from `low` to `high`.
+/// Returns the integral of the falloff over the directions with cosines from `low` to `high`.
 double spot_integral(double cos_inner, double cos_outer, double low, double high) {
     constexpr int steps = 100'000;
     double sum = 0;
@@ -81,7 +81,7 @@ TEST(PhotonSource, HasThePowerThatEntersTheBoundingBox) {
     expect_near(PhotonSource(cloudy).power(), Rgb(1, 2, 3) * static_cast<float>(24 * pi), 1e-6);
 }
 
-/// A plain with nothing on it.
+/// Makes an empty plain.
 Scene plain() {
     Scene scene;
     add(scene, quad({-50, 0, 50}, {100, 0, 0}, {0, 0, -100}), diffuse(Rgb(0, 0, 0)));
@@ -104,7 +104,7 @@ TEST(PhotonSource, LightFromAfarGoesTowardsTheScene) {
     add(scene, quad({-0.5f, 0, 0.5f}, {1, 0, 0}, {0, 0, -1}), diffuse(Rgb(0, 0, 0)));
     scene.point_light.push_back({{0, 1000, 0}, Rgb(1e6f, 2e6f, 0)});
     const TracedRun run = record(scene, seed, {.photons = photon_count});
-    // The plate has 2 / pi of the disc that its bounding sphere is from there.
+    // The plate covers 2 / pi of the disc that its bounding sphere covers from there.
     const auto hits = static_cast<double>(run.hits.size());
     EXPECT_NEAR(hits / static_cast<double>(photon_count), 2 / pi,
                 z_for(1e-5) * std::sqrt(0.24 / static_cast<double>(photon_count)) + 5e-3)
@@ -147,7 +147,7 @@ TEST(PhotonSource, ChoosesLightsInProportionToTheirPower) {
     EXPECT_GT(chi_square_tail(chi_square(counts, expected), 4), 1e-4) << "seed " << seed;
 }
 
-/// The mean flux of emitted photons is the source's power, in every channel.
+/// Expects the mean flux of emitted photons to be the source's power, in every channel.
 void expect_mean_flux_is_power(const Scene& scene, const char* what) {
     constexpr std::uint64_t seed = 2;
     const PhotonSource source(scene);
@@ -238,8 +238,8 @@ TEST(PhotonSource, SpotLightsMayHaveASharpEdge) {
     const Rgb power = sharp.intensity * static_cast<float>(2 * pi * 0.2);
     expect_near(source.power(), power, 1e-6);
     for (const std::uint64_t index : {0, 1, 2, 3}) expect_near(source.emit(1, index).flux, power, 1e-6);
-    // This photon draws the largest random number there is, and so the very edge, where the falloff divides 0
-    // by 0.
+    // This photon draws the largest possible random number, and thus the very edge, where the falloff divides
+    // 0 by 0.
     const Rgb edge = source.emit(1, 10'223'920).flux;
     for (int c = 0; c < 3; ++c) {
         EXPECT_GE(edge[c], 0);
@@ -247,7 +247,7 @@ TEST(PhotonSource, SpotLightsMayHaveASharpEdge) {
     }
 }
 
-/// A spot of `degrees` half across, with a ramp that takes `soft` of 1 - cosine.
+/// Makes a spot with a half angle of `degrees` and a ramp over the fraction `soft` of 1 - cosine.
 common::SpotLight laser(double degrees, double soft) {
     const double versine = 2 * std::pow(std::sin(degrees * pi / 360), 2);
     return {{0, 0, 0}, Vec3(1, 2, -2).normalized(), Rgb(3, 2, 1), 1 - (1 - soft) * versine, 1 - versine};
@@ -272,8 +272,8 @@ TEST(PhotonSource, NarrowSpotsKeepTheirLight) {
                 ASSERT_NEAR(photon.direction.length(), 1, 1e-6);
             }
             EXPECT_NEAR(flux.mean(), power, z_for(1e-6) * flux.standard_error() + 1e-5 * power);
-            // Squared lengths from the axis are twice 1 - cosine, uniform up to the edge; floats blur
-            // directions by 1e-7.
+            // Squared distances from the axis are twice 1 - cosine, which is uniform up to the edge; floats
+            // perturb directions by 1e-7.
             EXPECT_NEAR(off_axis_sq.mean(), versine,
                         z_for(1e-6) * off_axis_sq.standard_error() + 2e-7 * std::sqrt(versine) + 1e-13);
         }
@@ -281,7 +281,8 @@ TEST(PhotonSource, NarrowSpotsKeepTheirLight) {
 
 // --- emissive textures
 
-/// A square of 64 x 64 texels, black but for `white` of them, and a lamp that shows it once or `repeated`.
+/// Makes a texture of 64 x 64 texels, black except for `white`, and a lamp that shows it once or `repeated`
+/// times.
 Scene lamp_with_texels(const std::vector<std::array<int, 2>>& white, float repeated = 1,
                        common::Wrap wrap = common::Wrap::repeat) {
     std::vector<std::uint8_t> pixels(3 * 64 * 64, 0);
@@ -310,8 +311,8 @@ TEST(EmissiveTexture, PhotonsStartWhereItShines) {
                 flux.add(carried.z);
                 dark += carried == Rgb(0, 0, 0);
             }
-            // The mean of bilinear texels over whole periods is that of the texels; with clamping a lamp that
-            // shows ten periods has one.
+            // Over whole periods, the mean of the bilinear texture is that of its texels. With clamping, a
+            // lamp that would show ten periods shows one.
             const bool clamped = wrap == common::Wrap::clamp_to_edge && repeated > 1;
             if (repeated >= 1) {
                 const double mean = 4.0 / (64 * 64) / (clamped ? repeated * repeated : 1);
@@ -350,7 +351,7 @@ TEST(EmissiveTexture, OneTexelOfManyIsFound) {
 }
 
 TEST(EmissiveTexture, PhotonsWithoutLightAreNoHits) {
-    // Texels of one colour in a light of another: their cells keep a small chance.
+    // Texels of one colour on a lamp of another one: their cells keep a small probability.
     std::vector<std::uint8_t> pixels = {255, 0, 0, 0, 255, 0};
     Material material = diffuse(Rgb(0, 0, 0), Rgb(1, 0, 0));
     material.emissive_texture = {0, 0};
@@ -394,7 +395,7 @@ TEST(PhotonSource, AreaLightsEmitFromAllOfTheirSurface) {
     constexpr std::uint64_t seed = 5;
     const Scene scene = lamp(diffuse(Rgb(0, 0, 0), Rgb(1, 1, 1)));
     const PhotonSource source(scene);
-    constexpr std::size_t cells = 5;  // 25 of equal area, 24 degrees of freedom
+    constexpr std::size_t cells = 5;  // 25 of equal area, so 24 degrees of freedom
     std::array<std::uint64_t, cells * cells> counts{};
     for (std::uint64_t i = 0; i < photon_count; ++i) {
         const Vec3 origin = source.emit(seed, i).origin;
@@ -459,8 +460,8 @@ TEST(PhotonSource, PointLightGivesIntensityTimesCosineOverDistanceSquared) {
         ++hits[static_cast<std::size_t>(r / width)];
     }
     for (std::size_t ring = 0; ring < rings; ++ring) {
-        // I cos / d^2 integrated over the ring is I times its solid angle: 2 pi times the difference of the
-        // cosines.
+        // I cos / d^2, integrated over the ring, is I times the ring's solid angle: 2 pi times the difference
+        // of the cosines.
         const double inner = static_cast<double>(ring) * width, outer = inner + width;
         const double expected =
             intensity * 2 * pi * (height / std::hypot(height, inner) - height / std::hypot(height, outer));
@@ -470,7 +471,7 @@ TEST(PhotonSource, PointLightGivesIntensityTimesCosineOverDistanceSquared) {
     }
 }
 
-/// Flux that arrives on each face of a plate of area 4 at the centre of a larger scene, over its area.
+/// The flux per area on each face of a plate of area 4 at the centre of a larger scene.
 struct PlateLight {
     double front, back, relative_error;
 };

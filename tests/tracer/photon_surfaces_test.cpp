@@ -11,8 +11,8 @@ namespace {
 
 using namespace tests;
 
-/// A photon whose color differs in its last bit may end elsewhere, so whoever follows photons by way of the
-/// scene must get what the tracer gets.
+/// A photon whose colour differs in its last bit may take another path. So code that follows photons by way
+/// of the scene must get the same values as the tracer.
 TEST(PhotonSurfaces, RoundAsTheSceneDoes) {
     std::mt19937 engine(1);
     std::uniform_real_distribution<float> uniform(0, 1), anywhere(-20, 20);
@@ -21,7 +21,7 @@ TEST(PhotonSurfaces, RoundAsTheSceneDoes) {
     scene.texture.emplace_back("grey", 1, 1, std::vector<std::uint8_t>(3, 128), common::ColorSpace::linear,
                                common::Wrap::repeat, common::Wrap::repeat);
     Material textured = diffuse(Rgb(1, 1, 1));
-    // Turned and moved, as KHR_texture_transform may have it.
+    // Rotated and translated, as by KHR_texture_transform.
     textured.base_color_texture = {0, 0, {{0.3f, -7}, {0.8f, 0.6f}, {-0.6f, 0.8f}}};
     for (int i = 0; i < 100; ++i) {
         Mesh mesh = quad(place(), place(), place());

@@ -1,4 +1,4 @@
-// What a few photons sent ahead say of each light, and what is made of it.
+// Tests what the pilot's few photons say of each light, and how this is used.
 #include "common/tracer/pilot.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Pilot pilot_of(const Scene& scene) {
     return PhotonSource(rays).pilot();
 }
 
-/// A grey room with a lamp under its ceiling.
+/// Makes a grey room with a lamp under its ceiling.
 Scene room_with_lamp() {
     Scene scene = closed_box(diffuse(Rgb(0.5f, 0.5f, 0.5f)));
     add(scene, quad({-0.3f, 0.9f, -0.3f}, {0.6f, 0, 0}, {0, 0, 0.6f}),
@@ -44,7 +44,7 @@ TEST(Pilot, FindsNothingInAClosedRoom) {
 }
 
 TEST(Pilot, KnowsTheShareOfEachLight) {
-    // A floor seen from its middle, close above, gets half of a bulb's light; the other faces up.
+    // A floor gets half of the light of a bulb close above its middle; the other light faces up.
     Scene scene;
     add(scene, quad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2}), diffuse(Rgb(0.5f, 0.5f, 0.5f)));
     scene.point_light.push_back({{0, 1e-3f, 0}, Rgb(1, 1, 1), "light 'bulb'"});
@@ -81,7 +81,7 @@ TEST(Pilot, FollowsMirrorsToWhatStores) {
 }
 
 TEST(Pilot, FollowsHolesToWhatStores) {
-    // Light through a sheet's quarter of holes is lost, what the sheet is there for is not.
+    // The light through the quarter of the sheet that is open is lost, the rest is not.
     Scene scene;
     Material sheet = diffuse(Rgb(0.5f, 0.5f, 0.5f));
     sheet.alpha_mode = common::AlphaMode::blend;
@@ -89,7 +89,7 @@ TEST(Pilot, FollowsHolesToWhatStores) {
     add(scene, quad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2}), sheet);
     scene.spot_light.push_back({{0, 1, 0}, {0, -1, 0}, Rgb(1, 1, 1), 0.99, 0.99});
     EXPECT_NEAR(pilot_of(scene).light[0].missed, 0.25, z_for(1e-5) * std::sqrt(0.25 * 0.75 / 4096));
-    // A floor below sees only its back's light where it faces down.
+    // A floor below that faces down gets this light on its back.
     add(scene, quad({-1, -1, -1}, {2, 0, 0}, {0, 0, 2}), diffuse(Rgb(0.5f, 0.5f, 0.5f)));
     const Pilot pilot = pilot_of(scene);
     EXPECT_EQ(pilot.light[0].missed, 0);
@@ -97,7 +97,7 @@ TEST(Pilot, FollowsHolesToWhatStores) {
 }
 
 TEST(Pilot, SendsPhotonsFromAllThatShinesOnATexture) {
-    // Half a panel's texture is above a floor that meets it, half beyond the floor's edge.
+    // Half of the panel's texture is above a floor that its light hits, half beyond the floor's edge.
     Scene scene;
     add(scene, quad({0, 0, 0}, {0, 0, 1}, {1, 0, 0}), diffuse(Rgb(0.5f, 0.5f, 0.5f)));
     Material panel = diffuse(Rgb(0, 0, 0), Rgb(1, 1, 1));
@@ -108,7 +108,7 @@ TEST(Pilot, SendsPhotonsFromAllThatShinesOnATexture) {
     EXPECT_NEAR(pilot_of(scene).light[0].missed, 0.5, z_for(1e-5) * 0.5 / std::sqrt(4096.0) + 5e-3);
 }
 
-/// A room with a lamp of its own and a spot that shines away from it with a thousand times the light.
+/// Makes a room with a lamp, and a spot outside that shines away from it with a thousand times the light.
 Scene room_and_stray_light() {
     Scene scene = room_with_lamp();
     scene.spot_light.push_back({{0, 3, 0}, {0, 1, 0}, Rgb(5000, 5000, 5000), 0.9, 0.8, "light 'stray'"});
@@ -134,9 +134,9 @@ TEST(PhotonsByReach, BringTheSameLight) {
     const auto report = common::trace_photons(rays, PhotonSource(rays), seed, {.photons = photons}, sink);
     double light = 0;
     for (const Rgb& flux : sink.hits().flux) light += flux.x * report.watts_per_flux();
-    // Every wall reflects half: what arrives is twice the lamp's power, less what falls on the lamp, which
-    // reflects nothing and is 3 % of the walls' area. 2.6 % of the photons are the lamp's, each of which has
-    // two hits on average, and six if squared.
+    // Every wall reflects half, so what arrives is twice the lamp's power. What falls on the lamp is missing:
+    // it reflects nothing and has 3 % of the walls' area. Of the photons, 2.6 % come from the lamp. Each has
+    // two hits on average, with a mean square of six.
     const double power = pi * 0.36;
     const double relative_error = std::sqrt(6 / (0.026 * static_cast<double>(photons))) / 2;
     EXPECT_NEAR(light, 2 * power, (z_for(1e-5) * relative_error + 0.05) * 2 * power) << "seed " << seed;

@@ -15,7 +15,7 @@ using common::ScatteredPhoton;
 
 constexpr std::uint64_t photon_count = count_for(400'000, 20'000);
 
-/// Four uniform numbers a call, from the standard library: not the numbers that the tracer uses.
+/// Returns four uniform numbers per call, from the standard library instead of the tracer's generator.
 class Uniforms {
   public:
     explicit Uniforms(std::uint64_t seed) : engine_(seed) {}
@@ -29,7 +29,7 @@ class Uniforms {
     std::mt19937_64 engine_;
 };
 
-/// A triangle that faces along `normal`, which is +z turned by the skew rotation.
+/// A triangle that faces along `normal`, which is +z rotated by the skew rotation.
 struct Plate {
     explicit Plate(const Material& material) {
         Scene flat;
@@ -37,7 +37,8 @@ struct Plate {
         scene = moved(flat, skew_rotation(), {0, 0, 0});
         normal = scene.geometric_normal[0];
     }
-    /// Travels towards the front at this cosine of incidence; towards the back where it is negative.
+    /// Returns a direction of travel towards the front at this cosine of incidence, or towards the back if it
+    /// is negative.
     [[nodiscard]] Vec3 arriving(double cosine) const {
         return common::Frame(normal).to_world(common::direction_at(static_cast<float>(-cosine), 0.3f));
     }
@@ -63,7 +64,7 @@ TEST(Fresnel, NormalIncidence) {
 }
 
 TEST(Fresnel, ParallelPartVanishesAtBrewstersAngle) {
-    // tan = n; what is left is half of the perpendicular part, ((n^2 - 1) / (n^2 + 1))^2.
+    // At Brewster's angle, tan = n, reflectance is half the perpendicular part ((n^2 - 1) / (n^2 + 1))^2.
     for (const double n : {1.33, 1.5, 2.4}) {
         const double cosine = 1 / std::hypot(1, n);
         const double perpendicular = std::pow((n * n - 1) / (n * n + 1), 2);

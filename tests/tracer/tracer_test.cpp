@@ -15,7 +15,7 @@ using common::PhotonFates;
 using common::TraceReport;
 using common::TraceTarget;
 
-/// A room, askew and away from the origin, with a lamp, a mirror ball and a glass ball.
+/// Makes a rotated room away from the origin, with a lamp, a mirror ball and a glass ball.
 Scene furnished_room() {
     Scene scene = closed_box(diffuse(Rgb(0.7f, 0.5f, 0.3f)));
     add(scene, sphere({-0.4f, -0.5f, 0}, 0.3f, 3), mirror(Rgb(0.9f, 0.9f, 0.9f)));
@@ -25,7 +25,7 @@ Scene furnished_room() {
     return moved(scene, skew_rotation(), {3, -5, 2});
 }
 
-/// A small plate under a lamp: most photons miss it.
+/// Makes a small plate under a lamp, which most photons miss.
 Scene open_scene() {
     Scene scene;
     add(scene, quad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2}), diffuse(Rgb(0.5f, 0.5f, 0.5f)));
@@ -51,7 +51,7 @@ TEST(Tracer, GivesTheSameHitsOnAnyNumberOfThreads) {
     }
 }
 
-/// Hits with their photons' numbers in the run.
+/// Hits with the numbers of their photons in the run.
 struct NumberedHits {
     common::HitBatch hits;
     std::vector<std::uint64_t> photon;
@@ -94,7 +94,7 @@ TEST(Tracer, EveryRunHasTheSamePhotons) {
     }
 }
 
-/// Counts what it is given by several threads at once.
+/// Counts what it gets from several threads at once.
 struct UnorderedCount {
     std::atomic<std::uint64_t> hits = 0, at_once = 0;
 
@@ -240,7 +240,7 @@ TEST(Tracer, RecordsHitsWhereTheyAre) {
     const Scene scene = furnished_room();
     const common::HitBatch hits = record(scene, 10, {.photons = 5'000}).hits;
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        // Rounded otherwise, by some ulp of the largest coordinate.
+        // They are rounded differently, by a few ulp of the largest coordinate.
         ASSERT_LT((hits.position[i] - common::position_at(scene, hits.surface[i])).length(), 4e-6f);
         ASSERT_NEAR(hits.direction[i].length(), 1, 1e-5);
         ASSERT_GE(hits.surface[i].u, 0);
@@ -250,8 +250,8 @@ TEST(Tracer, RecordsHitsWhereTheyAre) {
 }
 
 TEST(Tracer, LosesNextToNothingFromAClosedRoom) {
-    // Askew, so that every position is rounded. All walls emit and reflect. What leaks has hit one wall
-    // within rounding of another: of the order of 1 in 10^7 for such a room.
+    // The room is rotated, so every position is rounded. All walls emit and reflect. A photon leaks if it
+    // hits one wall within rounding of another, which has a probability of about 1 in 10^7 in such a room.
     const Scene scene =
         moved(closed_box(diffuse(Rgb(0.9f, 0.9f, 0.9f), Rgb(1, 1, 1))), skew_rotation(), {1, -2, 1});
     const TracedRun run = record(scene, 11, {.hits = count_for(3'000'000, 100'000)});

@@ -25,7 +25,7 @@ std::vector<VisibleSurface> look(const Scene& scene, const Camera& camera, int w
     return common::visible_surfaces(rays, camera, width, height);
 }
 
-/// What lies straight ahead.
+/// Returns what lies straight ahead.
 VisibleSurface look_at_center(const Scene& scene, const Vec3& eye, const Vec3& target) {
     return look(scene, common::look_at(eye, target, quarter_turn), 1, 1)[0];
 }
@@ -37,7 +37,7 @@ TEST(CameraRays, SpanTheFieldOfView) {
     const Camera camera = common::look_at({1, 2, 3}, {1, 2, -7}, quarter_turn);
     const CameraRays rays(camera, 201, 101);
     expect_near(rays.direction(100, 50), {0, 0, -1});
-    // The image plane at distance 1 reaches from -1 to 1 in height, 201 / 101 times as far in width.
+    // The image plane at distance 1 extends from -1 to 1 in height, and 201 / 101 times as far in width.
     const float y = 100.0f / 101, x = 200.0f / 201 * 201 / 101;
     expect_near(rays.direction(100, 0), Vec3(0, y, -1).normalized());
     expect_near(rays.direction(100, 100), Vec3(0, -y, -1).normalized());
@@ -136,7 +136,7 @@ TEST(VisibleSurfaces, ShowTheSkyWhereThereIsNothing) {
 }
 
 TEST(VisibleSurfaces, FollowMirrors) {
-    // Two mirrors at 45 degrees make a periscope: in along -z, down, and on along -z.
+    // Two mirrors at 45 degrees make a periscope: the ray enters along -z, goes down, and continues along -z.
     Scene scene;
     const float h = 0.5f;
     add(scene, quad({-h, h, -h}, {1, 0, 0}, {0, 1, 1}), mirror(Rgb(0.5f, 1, 1)));
@@ -166,8 +166,8 @@ TEST(VisibleSurfaces, LookThroughGlass) {
 }
 
 TEST(VisibleSurfaces, GlassWithoutRefractionShowsWhatIsBehindIt) {
-    // A coarse ball with smooth normals: near its outline they face away from the eye. With the index of air
-    // it must be invisible all the same.
+    // A coarse ball with smooth normals: near its outline, they face away from the camera. With the index of
+    // air it must be invisible all the same.
     Scene wall;
     add(wall, quad({-9, -9, -3}, {18, 0, 0}, {0, 18, 0}), diffuse(Rgb(1, 1, 1)));
     Scene with_ball = wall;

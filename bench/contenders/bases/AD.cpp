@@ -1,4 +1,4 @@
-// Ambient light and one direction.
+// An ambient term and one direction.
 #include "bench/contenders/light_map_store.h"
 #include "shlm/basis/ambient_and_direction.h"
 

@@ -1,4 +1,4 @@
-// The hemisphere's basis of four numbers.
+// The four-coefficient basis of the hemisphere.
 #include "bench/contenders/light_map_store.h"
 #include "shlm/basis/hemisphere_four.h"
 

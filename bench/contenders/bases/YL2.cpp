@@ -1,4 +1,4 @@
-// Directional luminance and one colour.
+// Order 2 of the luminance, with one colour.
 #include "bench/contenders/light_map_store.h"
 #include "shlm/basis/luminance_nine.h"
 

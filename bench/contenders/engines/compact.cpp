@@ -1,10 +1,10 @@
-// Packed photons under our own tree.
+// Packed photons in a kd-tree of our own.
 #include "bench/contenders/photon_map_store.h"
 
 namespace bench {
 namespace {
 
-constexpr double packed_bytes = 26;  // 24, and partly filled pages while they are sorted
+constexpr double packed_bytes = 26;  // 24, plus partly filled pages during sorting
 
 const RegisteredEngine registered(4, {.name = "compact",
                                       .purpose = "packed photons under a tree of this project: the strongest",

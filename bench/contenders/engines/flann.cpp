@@ -1,10 +1,10 @@
-// One bulk build of FLANN's tree.
+// FLANN's kd-tree in one bulk build.
 #include "bench/contenders/photon_map_store.h"
 
 namespace bench {
 namespace {
 
-constexpr double tree_bytes = 46;  // 33 to 42 by leaf fill
+constexpr double tree_bytes = 46;  // 33 to 42, depending on leaf fill
 
 const RegisteredEngine registered(
     1, {.name = "flann",

@@ -1,10 +1,10 @@
-// Every photon inserted into FLANN's tree as it comes.
+// FLANN's kd-tree with every photon inserted as it arrives.
 #include "bench/contenders/photon_map_store.h"
 
 namespace bench {
 namespace {
 
-constexpr double tree_bytes = 96;  // 75, and the array of pointers of FLANN while it grows
+constexpr double tree_bytes = 96;  // 75, plus FLANN's array of pointers while it grows
 
 const RegisteredEngine registered(
     5, {.name = "flann-incremental",

@@ -1,4 +1,4 @@
-// Cells of the gather's radius.
+// A grid with cells as wide as the gather's radius.
 #include "bench/contenders/photon_map_store.h"
 
 namespace bench {

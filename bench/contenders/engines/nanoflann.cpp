@@ -1,10 +1,10 @@
-// One bulk build of nanoflann's tree.
+// nanoflann's kd-tree in one bulk build.
 #include "bench/contenders/photon_map_store.h"
 
 namespace bench {
 namespace {
 
-constexpr double tree_bytes = 12;  // 7 to 8 by leaf fill
+constexpr double tree_bytes = 12;  // 7 to 8, depending on leaf fill
 
 const RegisteredEngine registered(2, {.name = "nanoflann",
                                       .purpose = "the same with the library that people would choose today",

@@ -1,4 +1,4 @@
-// shlmbench bases: what a texel's basis loses at tilted normals, without a scene and without noise.
+// shlmbench bases: the error of a texel's basis at tilted normals, without a scene and without noise.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -27,7 +27,7 @@ struct BasesOptions {
     std::string out;
 };
 
-/// All kinds of light. Throws Interrupted.
+/// Measures the bases in all kinds of light. Throws Interrupted.
 std::vector<BasisFigures> measure(std::size_t count, std::uint64_t seed) {
     std::uint64_t total = 0, done = 0;
     for (const LightKind kind : light_kinds) total += environment_count(kind, count);

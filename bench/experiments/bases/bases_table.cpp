@@ -60,7 +60,7 @@ Json tilt_as_json(const TiltCurve& tilt) {
             {"answered", answered}};
 }
 
-/// 75.9, 0.802, 0.00416: three digits, never an exponent.
+/// Formats with three digits and never an exponent: 75.9, 0.802, 0.00416.
 std::string percent_text(double percent) {
     if (percent >= 100) return fmt::format("{:.0f}", percent);
     if (percent >= 10) return fmt::format("{:.1f}", percent);
@@ -75,7 +75,7 @@ std::string expected_text(const BasisFigures& figures) {
                            : fmt::format("{:g}", expected->mean);
 }
 
-/// Mean and worst; one figure where there is one environment.
+/// Formats mean and worst; only one figure where there is one environment.
 std::string errors_text(const ErrorFigures& errors, std::size_t environments) {
     if (environments == 1) return percent_text(errors.mean);
     return fmt::format("{} / {}", percent_text(errors.mean), percent_text(errors.worst));

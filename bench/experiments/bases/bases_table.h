@@ -1,4 +1,4 @@
-// The finished table of the bases, as JSON and as text.
+// The table of the bases, as JSON and as text.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,14 +9,14 @@
 
 namespace bench::bases {
 
-/// context (with seed), definition, lights, rows and tilt.
+/// Returns an object with context (with the seed), definition, lights, rows and tilt.
 [[nodiscard]] nlohmann::ordered_json bases_as_json(std::span<const BasisFigures> figures,
                                                    const TiltCurve& tilt, std::uint64_t seed);
 
-/// The rows in columns.
+/// Formats the rows in columns.
 [[nodiscard]] std::string bases_as_text(std::span<const BasisFigures> figures);
 
-/// The rows with all that is needed to read them, in Markdown.
+/// Formats the rows in Markdown, with everything that is needed to read them.
 [[nodiscard]] std::string bases_as_markdown(std::span<const BasisFigures> figures, std::uint64_t seed);
 
 }  // namespace bench::bases

@@ -1,4 +1,4 @@
-// What a texel may keep of its light, and what it then says of tilted normals.
+// The bases in which a texel may keep its light, and the irradiance they give for tilted normals.
 #pragma once
 
 #include <string>
@@ -8,13 +8,14 @@
 
 namespace bench::bases {
 
-/// Irradiance by shading normal, W/m^2, of the red channel.
+/// Irradiance per shading normal, W/m^2, of the red channel.
 struct BasisAnswers {
-    std::vector<double> series;    ///< what the basis says, which may be below zero
-    std::vector<double> answered;  ///< what the light map answers: that, cut off at zero
+    std::vector<double> series;    ///< value of the basis, which may be negative
+    std::vector<double> answered;  ///< answer of the light map: the same, clamped at zero
 };
 
-/// For photons that come from no scene: as if their brightest had all the light.
+/// Returns the quantum for photons that come from no scene, as if the brightest of them carried all the
+/// light.
 [[nodiscard]] inline shlm::Quantum quantum_for(const common::HitBatch& photons) {
     common::Rgb brightest(0, 0, 0);
     for (const common::Rgb& flux : photons.flux)
@@ -22,7 +23,7 @@ struct BasisAnswers {
     return shlm::Quantum(brightest);
 }
 
-/// Fills a light map of one texel with the photons, keeps of it what the basis keeps, and asks that for every
+/// Fills a light map of one texel with the photons, projects its sums on the basis, and evaluates every
 /// normal.
 template <class Model, shlm::Basis Kept = shlm::Harmonics<Model::order>, class Number = float>
 [[nodiscard]] BasisAnswers ask(const OneTexel& texel, const common::HitBatch& photons,
@@ -40,15 +41,15 @@ template <class Model, shlm::Basis Kept = shlm::Harmonics<Model::order>, class N
 }
 
 struct Basis {
-    std::string name;  ///< as in the names of the methods: basis, weight, and half where it stores halves
-    std::string contender;  ///< the method with one texel's answer
+    std::string name;       ///< as in names of methods: basis, weight, and half for half floats
+    std::string contender;  ///< the method whose answer at one texel this is
     std::size_t numbers;    ///< per texel
     std::size_t bytes;      ///< per texel
     BasisAnswers (*ask)(const OneTexel&, const common::HitBatch&, std::span<const common::Vec3>);
 };
 
-/// What a traditional light map keeps, then the ladder of bases upwards, then order 2 with the other weights;
-/// behind them the same but for those weights in halves.
+/// Returns what a traditional light map keeps, then the bases by increasing size, then order 2 with the other
+/// weights. The same ones in half floats follow, without those weights.
 [[nodiscard]] std::vector<Basis> all_bases();
 
 }  // namespace bench::bases

@@ -1,4 +1,4 @@
-// How far a basis is from the light that it was given.
+// The error of a basis relative to the light that it was fitted to.
 #pragma once
 
 #include <span>
@@ -8,16 +8,18 @@
 
 namespace bench::bases {
 
-/// The normals that normal maps make: 300 within 60 degrees of +z, each for the same solid angle.
+/// Returns normals such as normal maps make: 300 within 60 degrees of +z, each for the same solid angle.
 [[nodiscard]] std::vector<common::Vec3> tilted_normals();
 
-/// Irradiance of each normal, W/m^2, summed over the arrivals: E / cos(theta) is what a plane that faces the
-/// light gets, max(0, n.w) of that is the normal's. Of the red channel: colours are random, so that all
+/// Returns the irradiance for each normal, W/m^2, summed over the arrivals. With n the normal and w the
+/// direction to the light, an arrival contributes max(0, n.w) E / cos(theta), since E / cos(theta) is the
+/// irradiance of a plane that faces the light. Only the red channel is used: colours are random, so all
 /// channels are alike over many environments.
 [[nodiscard]] std::vector<double> true_irradiance(std::span<const Arrival> arrivals,
                                                   std::span<const common::Vec3> normals);
 
-/// In %: the root mean square over the normals of (answer - truth), divided by the mean of the truth.
+/// Returns, in %, the root mean square over the normals of (answer - truth), divided by the mean of the
+/// truth.
 [[nodiscard]] double relative_rms_percent(std::span<const double> answers, std::span<const double> truth);
 
 }  // namespace bench::bases

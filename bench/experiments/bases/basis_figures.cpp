@@ -10,7 +10,7 @@ namespace {
 
 constexpr common::Vec3 own_normal(0, 0, 1);
 
-/// Of one basis, an entry per environment.
+/// Errors of one basis, one element per environment.
 struct BasisErrors {
     std::vector<double> series, answered;  ///< errors in %
     std::vector<double> at_own_normal;     ///< series over truth
@@ -26,7 +26,8 @@ ErrorFigures figures_of(const std::vector<double>& errors) {
     return {mean_of(errors), *std::max_element(errors.begin(), errors.end())};
 }
 
-/// `normals` and behind them the surface's own, which is not among those that the error is over.
+/// Adds the errors of one environment. `normals` ends with the surface's own normal, which is not part of the
+/// error.
 void add_errors(const Basis& basis, const OneTexel& texel, const common::HitBatch& photons,
                 std::span<const common::Vec3> normals, std::span<const double> truth, BasisErrors& errors) {
     const BasisAnswers answers = basis.ask(texel, photons, normals);

@@ -1,4 +1,4 @@
-// Directions that share a cap of the sphere evenly.
+// Directions that are uniformly distributed over a cap of the sphere.
 #pragma once
 
 #include <cmath>
@@ -9,9 +9,9 @@
 
 namespace bench::bases {
 
-/// `count` unit vectors with z above `least_cosine`, each in the middle of an equal share of the cap's solid
-/// angle: a Fibonacci lattice, z in equal steps and azimuth in steps of the golden section (Swinbank and
-/// Purser, "Fibonacci grids", 2006).
+/// Returns `count` unit vectors with z above `least_cosine`, each in the middle of an equal share of the
+/// cap's solid angle. They form a Fibonacci lattice: z in equal steps and azimuth in steps of the golden
+/// section (Swinbank and Purser, "Fibonacci grids", 2006).
 [[nodiscard]] inline std::vector<common::Vec3> directions_in_cap(std::size_t count, double least_cosine) {
     std::vector<common::Vec3> directions(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -25,7 +25,7 @@ namespace bench::bases {
     return directions;
 }
 
-/// The solid angle of such a cap, sr.
+/// Returns the solid angle of such a cap, sr.
 [[nodiscard]] inline double cap_solid_angle(double least_cosine) {
     return 2 * std::numbers::pi * (1 - least_cosine);
 }

@@ -12,11 +12,11 @@ namespace {
 using common::Vec3;
 using common::reference::RandomStream;
 
-/// Directions that stand for soft light: its lobes are at least 20 degrees wide, these are 3 degrees apart.
+/// Number of directions that approximate soft light: they are 3 degrees apart, and its lobes are at least 20
+/// degrees wide.
 constexpr std::size_t soft_directions = 2048;
 
-/// Light lower than the accumulator's clamp of the cosine is left out: what the clamp takes away is no fault
-/// of a basis.
+/// Light below the accumulator's clamp of the cosine is left out, since the clamp's error is not the basis's.
 constexpr double least_soft_cosine = common::min_incident_cosine;
 
 const double least_point_cosine = std::sin(10 * std::numbers::pi / 180);
@@ -35,7 +35,7 @@ Environment point_light(RandomStream& random, std::uint32_t index, std::size_t c
     return {{towards_light, towards_light.z}};
 }
 
-/// `radiance(direction)`, W/(m^2 sr), over the hemisphere.
+/// Samples `radiance(direction)`, W/(m^2 sr), over the hemisphere.
 template <class Radiance>
 Environment soft_light(Radiance radiance) {
     const double solid_angle = cap_solid_angle(least_soft_cosine) / static_cast<double>(soft_directions);
@@ -64,7 +64,7 @@ double radiance_of(const Lobe& lobe, const Vec3& towards_light) {
            std::pow(std::max(0.0, static_cast<double>(towards_light.dot(lobe.axis))), lobe.exponent);
 }
 
-/// From grey to nearly one channel alone.
+/// Returns a colour from grey to nearly a single channel, of mean 1.
 common::Rgb random_tint(RandomStream& random) {
     const double r = random.next(), g = random.next(), b = random.next();
     return common::Rgb(static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)) *

@@ -1,4 +1,4 @@
-// Synthetic light on a surface that faces along +z.
+// Synthetic light on a surface that faces +z.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace bench::bases {
 
-/// Light from one direction, as much as one photon brings.
+/// Light from one direction, which one photon represents.
 struct Arrival {
     common::Vec3 towards_light;  ///< unit, z > 0
-    double irradiance;           ///< on the surface, W/m^2, mean of the channels: includes the cosine
-    common::Rgb tint{1, 1, 1};   ///< each channel's share, of mean 1
+    double irradiance;           ///< on the surface, W/m^2, mean of the channels, with the cosine
+    common::Rgb tint{1, 1, 1};   ///< factor of each channel, mean 1
 };
 
 using Environment = std::vector<Arrival>;
@@ -23,7 +23,7 @@ enum class LightKind {
     point,          ///< one distant light
     room,           ///< six lobes over a dim floor: lamps, windows, lit walls
     uniform,        ///< constant radiance
-    coloured_room,  ///< as room, each lobe in a colour of its own
+    coloured_room,  ///< like room, with a different colour for each lobe
 };
 
 inline constexpr std::array light_kinds = {LightKind::point, LightKind::room, LightKind::coloured_room,
@@ -31,16 +31,16 @@ inline constexpr std::array light_kinds = {LightKind::point, LightKind::room, Li
 
 [[nodiscard]] std::string name_of(LightKind kind);
 
-/// In words, for the table.
+/// Describes the kind in words, for the table.
 [[nodiscard]] std::string description_of(LightKind kind);
 
-/// How many environments there are to look at where `wanted` random ones are asked for: one if none differ.
+/// Returns the number of environments for `wanted` random ones: one if all are equal.
 [[nodiscard]] std::size_t environment_count(LightKind kind, std::size_t wanted);
 
-/// Environment `index` of `count`; the same for the same arguments.
+/// Makes environment `index` of `count`, which depends only on the arguments.
 ///
-/// The point lights are uniform in solid angle more than 10 degrees above the horizon; the i-th is in the
-/// i-th of `count` equal belts of it, from the horizon up, so that the set has the whole range whatever the
+/// Point lights are uniform in solid angle above 10 degrees over the horizon. The i-th is in the i-th of
+/// `count` belts of equal solid angle, from the horizon up, so that the set covers the whole range for every
 /// seed. Rooms are independent of each other.
 [[nodiscard]] Environment make_environment(LightKind kind, std::uint32_t index, std::size_t count,
                                            std::uint64_t seed);

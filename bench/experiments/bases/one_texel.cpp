@@ -6,10 +6,11 @@ namespace {
 using common::Vec2;
 using common::Vec3;
 
-/// Where the photons land and the map is asked: one texel is the same everywhere.
+/// Where photons land and the map is evaluated; all points of one texel are alike.
 constexpr common::SurfaceId middle = {0, 0.25f, 0.25f};
 
-/// Two triangles at z = 0, facing +z, area 4: an area of 1 would hide that one is divided by it.
+/// Makes two triangles at z = 0 that face +z. Their area is 4, as an area of 1 would hide a missing division
+/// by it.
 common::Scene quad() {
     common::Scene scene;
     scene.source = "one texel";

@@ -1,4 +1,4 @@
-// The smallest scene that has a light map: a quad that is one texel.
+// The smallest scene with a light map: a quad that is one texel.
 #pragma once
 
 #include <span>
@@ -15,11 +15,11 @@ class OneTexel {
 
     [[nodiscard]] const shlm::PreparedTexels& prepared() const { return prepared_; }
 
-    /// One photon for each arrival, with the flux that gives the texel that irradiance; W, one photon
-    /// emitted.
+    /// Returns one photon per arrival, with the flux in W that gives the texel this irradiance if one photon
+    /// is emitted.
     [[nodiscard]] common::HitBatch photons_of(std::span<const Arrival> arrivals) const;
 
-    /// A point of the texel with a bent normal. The geometric normal is +z.
+    /// Returns a point of the texel with this shading normal. The geometric normal is +z.
     [[nodiscard]] common::SurfacePoint point_with(const common::Vec3& shading_normal) const;
 
   private:

@@ -1,13 +1,13 @@
-// Irradiance as the normal tilts, in the light of one lamp.
+// Irradiance as a function of the normal's tilt, for one lamp.
 #pragma once
 
 #include "bench/experiments/bases/basis.h"
 
 namespace bench::bases {
 
-/// In the plane of the light; relative to a plane that faces it.
+/// Normals tilt in the plane of the light. Values are relative to a plane that faces the light.
 struct TiltCurve {
-    double light_degrees;  ///< of the light from the geometric normal
+    double light_degrees;  ///< angle of the light from the geometric normal
     std::vector<double>
         degrees;  ///< of the shading normal from the geometric one, positive towards the light
     std::vector<double> truth;

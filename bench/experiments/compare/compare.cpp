@@ -1,4 +1,4 @@
-// shlmbench compare: the methods side by side, over scenes and numbers of hits.
+// shlmbench compare: measures methods side by side, over scenes and numbers of hits.
 #include <fmt/format.h>
 
 #include "bench/contenders/picture.h"
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr int image_width = 640, image_height = 360;
 
-/// A method's picture of the scene, at the most hits that the method was run with.
+/// A method's picture of the scene, at the largest number of hits that the method was run with.
 struct Picture {
     Contender method;
     std::uint64_t hits = 0;
@@ -35,7 +35,7 @@ std::vector<Picture> pictures_of(const ComparePlan& plan, const std::string& sce
                                  const nlohmann::ordered_json& rows) {
     std::vector<Picture> pictures;
     for (const Contender& method : plan.methods) {
-        if (method->fields()["engine"] == "flann-incremental") continue;  // photonmap/flann's picture, slower
+        if (method->fields()["engine"] == "flann-incremental") continue;  // same as photonmap/flann, slower
         Picture picture{method, 0, {}};
         for (const auto& row : rows)
             if (row["scene"] == scene && row["method"] == method.name && !row.contains("skipped"))
@@ -48,11 +48,11 @@ std::vector<Picture> pictures_of(const ComparePlan& plan, const std::string& sce
     return pictures;
 }
 
-/// Draws all of them with the same exposure. Ends early where the user wants it to.
+/// Draws all pictures with the same exposure. Ends early if the user interrupts it.
 void draw(const ComparePlan& plan, const CompareScene& scene, const std::vector<Picture>& pictures) {
     prepare_output_folder("--out", plan.out / "images");
     std::error_code ignored;
-    for (const Picture& picture : pictures) fs::remove(picture.file, ignored);  // older rows' must not stay
+    for (const Picture& picture : pictures) fs::remove(picture.file, ignored);  // older ones must not stay
     const auto pixels =
         common::visible_surfaces(scene.loaded.rays, scene.loaded.camera, image_width, image_height);
     float exposure = 0;
@@ -67,7 +67,7 @@ void draw(const ComparePlan& plan, const CompareScene& scene, const std::vector<
     }
 }
 
-/// False where the user ended it.
+/// Returns false if the user interrupted it.
 bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable& table) {
     const LoadedScene loaded(file, plan.scene);
     const common::PhotonSource source(loaded.rays);
@@ -96,8 +96,8 @@ bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable
     return !common::interrupted();
 }
 
-/// Loads every scene but the first, which comes next anyway: one that cannot be used must not come to light
-/// after hours spent on those before it.
+/// Loads every scene but the first, which is loaded next anyway. An unusable scene must be found before hours
+/// are spent on the others.
 void check_scenes(const ComparePlan& plan) {
     for (const std::string& file : std::span(plan.files).subspan(1)) {
         const LoadedScene loaded(file, plan.scene);

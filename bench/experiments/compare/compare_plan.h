@@ -1,4 +1,4 @@
-// What a comparison is asked to do, checked.
+// The checked options of a comparison.
 #pragma once
 
 #include <filesystem>
@@ -33,14 +33,15 @@ struct ComparePlan {
     std::filesystem::path out;  ///< exists and can be written to
     std::size_t max_bytes;
     std::size_t repetitions;
-    double seconds_per_size;  ///< no repetition is begun that would take one scene and size past this
+    double seconds_per_size;  ///< limit for one scene and size: no repetition begins that would exceed it
     SceneOptions scene;
     ContenderSettings settings;
     int threads;
     std::uint64_t seed;
 };
 
-/// Throws InputError for the first option that makes no sense; makes the output folder.
+/// Checks the options and makes the output folder. Throws InputError for the first option that makes no
+/// sense.
 [[nodiscard]] ComparePlan make_plan(const CompareOptions& options);
 
 }  // namespace bench::compare

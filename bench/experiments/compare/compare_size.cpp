@@ -13,7 +13,7 @@
 namespace bench::compare {
 namespace {
 
-/// The row of a method before anything has been measured, with the reason where it will not be run.
+/// Makes the row of a method before any measurement, with the reason if it will not be run.
 RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const Contender& method,
                    std::uint64_t hits) {
     RowInput row{.scene = scene.loaded.name,
@@ -38,7 +38,7 @@ RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const Con
     return row;
 }
 
-/// One run of each method and of the null sink. False where the user ended it.
+/// Runs each method and the null sink once. Returns false if the user interrupted it.
 bool run_once(const ComparePlan& plan, const CompareScene& scene, std::uint64_t hits, std::size_t repetition,
               std::vector<RowInput>& rows) {
     const auto workload = [&](common::Progress& progress) {
@@ -65,7 +65,7 @@ bool run_once(const ComparePlan& plan, const CompareScene& scene, std::uint64_t 
                                   "hits", hits);
         measured[m] = measure_method(rows[m].method, scene.prepared, workload(progress));
         if (common::interrupted()) return false;
-        rows[m].skipped = measured[m].given_up;  // for this repetition and those that would come
+        rows[m].skipped = measured[m].given_up;  // of this and all further repetitions
     }
     for (std::size_t m = 0; m < rows.size(); ++m) {
         if (!rows[m].skipped.empty()) continue;
@@ -75,7 +75,7 @@ bool run_once(const ComparePlan& plan, const CompareScene& scene, std::uint64_t 
     return true;
 }
 
-/// Tracing for a moment, unmeasured: the first run of a process finds caches, buffers and threads cold.
+/// Traces briefly without measuring, since the first run of a process has cold caches, buffers and threads.
 void warm_up(const ComparePlan& plan, const CompareScene& scene, std::uint64_t hits) {
     constexpr std::uint64_t enough = 300'000;
     (void)measure_null_sink(

@@ -1,4 +1,4 @@
-// One scene at one number of hits: every method in turn, again and again.
+// Compares all methods in one scene with one number of hits, in interleaved repetitions.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,7 +9,7 @@
 
 namespace bench::compare {
 
-/// A scene with all that a comparison needs of it.
+/// A scene with everything that a comparison needs of it.
 struct CompareScene {
     const LoadedScene& loaded;
     const common::PhotonSource& source;
@@ -20,10 +20,10 @@ struct CompareScene {
 
 struct SizeResult {
     std::vector<nlohmann::ordered_json> rows;  ///< one per method, measured or skipped
-    bool interrupted = false;  ///< the user ended it: rows have whole repetitions only, maybe none
+    bool interrupted = false;  ///< by the user: rows then have whole repetitions only, possibly none
 };
 
-/// Runs the methods interleaved, each repetition beginning with another one, next to the null sink.
+/// Runs the methods and the null sink interleaved. Each repetition begins with another method.
 [[nodiscard]] SizeResult compare_size(const ComparePlan& plan, const CompareScene& scene,
                                       const std::vector<Contender>& methods, std::uint64_t hits);
 

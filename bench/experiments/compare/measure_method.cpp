@@ -26,9 +26,9 @@ std::string past_its_bound(const Workload& w, std::uint64_t hits) {
                        static_cast<double>(w.max_bytes) * 0x1p-30, static_cast<double>(hits));
 }
 
-/// Asks the finished map for all queries, in both orders.
+/// Evaluates the finished map at all queries, in both orders.
 void measure_gather(const Answers& map, const Workload& w, Measurement& m) {
-    // Touched here: the pages' first touch is no part of a gather.
+    // Touch the pages here, so that the first touch is not timed as part of a gather.
     std::vector<common::Rgb> answers(w.queries.image_order.size(), common::Rgb(0, 0, 0));
     const common::Stopwatch gather;
     map.irradiance(w.queries.image_order, answers);

@@ -1,4 +1,4 @@
-// One timed run of one method: trace, insert, build, gather.
+// Times one run of one method: trace, insert, build, gather.
 #pragma once
 
 #include <functional>
@@ -13,25 +13,25 @@
 
 namespace bench::compare {
 
-/// What a run took and kept. Times are wall seconds.
+/// The cost of a run. Times are wall seconds.
 struct Measurement {
-    Preparation preparation;         ///< the scene's, made before the first run
-    double making_room_seconds = 0;  ///< for an empty store: a light map's sums are there from the start
+    Preparation preparation;         ///< of the scene, made before the first run
+    double making_room_seconds = 0;  ///< for an empty store: a light map allocates its sums at once
     common::TraceReport trace;
     double build_seconds = 0;
-    double gather_seconds = 0;  ///< all query points, image order, one thread
+    double gather_seconds = 0;  ///< all query points in image order, one thread
     double gather_shuffled_seconds = 0;
     std::size_t bytes = 0;                  ///< finished map with its index
     std::size_t insert_bytes = 0;           ///< the store while it took hits
-    std::size_t resident_before_bytes = 0;  ///< of the process: the scene, the texels, the program itself
+    std::size_t resident_before_bytes = 0;  ///< of the process: scene, texels and the program itself
     std::size_t peak_resident_bytes = 0;    ///< of the process, while this method ran
-    bool peak_is_of_this_run = true;  ///< false where the system does not let it be reset: since the start
+    bool peak_is_of_this_run = true;  ///< false if the system cannot reset it: it is then since the start
     common::RejectedHits rejected;
-    std::string given_up;        ///< why the run was ended and its memory given back; empty where it was not
-    double mean_irradiance = 0;  ///< over the query points and channels, W/m^2: are the answers alike?
+    std::string given_up;        ///< why the run was ended early and its memory freed; empty if it was not
+    double mean_irradiance = 0;  ///< over query points and channels, W/m^2, to compare the methods' answers
 };
 
-/// What a run works on.
+/// The input of a run.
 struct Workload {
     const LoadedScene& scene;
     const common::PhotonSource& source;
@@ -40,16 +40,16 @@ struct Workload {
     common::TraceTarget target;
     common::TraceProgress progress;
     std::size_t max_bytes =
-        std::numeric_limits<std::size_t>::max();  ///< that the method may add to the process
+        std::numeric_limits<std::size_t>::max();  ///< limit on what the method adds to the process
 };
 
-/// Uses the threads of the calling arena for all but the gathers. An interrupted run has trace.interrupted
-/// set and nothing after the trace. So has one that grows past max_bytes or finds no more memory, which is
-/// looked at after each wave of hits and after the build.
+/// Measures one run, using the threads of the calling arena for all but the gathers. An interrupted run has
+/// trace.interrupted set and nothing measured after the trace. The same holds for a run that exceeds
+/// max_bytes or runs out of memory, which is checked after each wave of hits and after the build.
 [[nodiscard]] Measurement measure_method(const Contender& contender, PreparedScene& scene,
                                          const Workload& workload);
 
-/// The same trace without a store.
+/// Runs the same trace without a store.
 [[nodiscard]] common::TraceReport measure_null_sink(const Workload& workload);
 
 }  // namespace bench::compare

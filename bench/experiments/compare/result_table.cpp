@@ -26,7 +26,7 @@ Json context_of(const ComparePlan& plan) {
     return context;
 }
 
-/// The rows in `file` that can be kept; empty where there are none.
+/// Returns the rows in `file` that can be kept; empty if there are none.
 Json earlier_rows(const std::filesystem::path& file, const Json& context) {
     const EarlierRows earlier = read_earlier_rows(file, context);
     if (!earlier.found) return Json::array();
@@ -41,7 +41,7 @@ Json earlier_rows(const std::filesystem::path& file, const Json& context) {
     return rows;
 }
 
-/// What makes a row another's repetition.
+/// Returns what identifies a row: a new row with the same key replaces it.
 auto key_of(const Json& row) {
     return std::tuple(row["scene"].get<std::string>(), row["method"].get<std::string>(),
                       row["hits_asked"].get<std::uint64_t>());

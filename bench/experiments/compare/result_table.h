@@ -1,4 +1,4 @@
-// compare.json and compare.csv while they grow.
+// compare.json and compare.csv, which are updated while a comparison runs.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,28 +7,28 @@
 
 namespace bench::compare {
 
-/// Begins with what an earlier run of the same build, machine, seed and settings has left in the folder, so
-/// that a comparison can be stopped and gone on with, or extended by scenes and sizes.
+/// Begins with the rows in the folder that the same build, machine, seed and settings have produced. A
+/// comparison can thus be stopped and continued, or extended by scenes and sizes.
 class ResultTable {
   public:
     explicit ResultTable(const ComparePlan& plan);
 
-    /// Forgets rows of a scene of the same name that differs from the one with this fingerprint.
+    /// Removes the rows of a scene of the same name whose fingerprint differs.
     void keep_one_version_of(const std::string& scene, const std::string& fingerprint);
 
-    /// Whether the row has been measured already, by as many repetitions as are asked for now or more;
-    /// skipped ones are judged anew.
+    /// Returns whether the row exists with at least as many repetitions as are now asked for. Skipped rows do
+    /// not count, and are tried again.
     [[nodiscard]] bool has(const std::string& scene, const std::string& method, std::uint64_t hits) const;
 
-    /// Appends the rows, in the place of those they repeat, and writes both files anew: what is finished
-    /// survives whatever comes.
+    /// Appends the rows, replacing earlier ones of the same key, and rewrites both files. Finished rows thus
+    /// survive any failure.
     void add(const std::vector<nlohmann::ordered_json>& rows);
 
     [[nodiscard]] const nlohmann::ordered_json& rows() const { return document_["rows"]; }
 
   private:
     std::filesystem::path folder_;
-    std::size_t repetitions_;  ///< asked for; a size may get fewer, for its time
+    std::size_t repetitions_;  ///< as asked for; the time limit may allow a size fewer
     nlohmann::ordered_json document_;
 };
 

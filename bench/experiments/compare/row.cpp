@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Adds NAME: median and NAME_range: [smallest, largest].
+/// Adds the median as NAME and [smallest, largest] as NAME_range.
 void add_timing(Json& row, const std::string& name, const std::vector<double>& values) {
     row[name] = median(values);
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -31,8 +31,8 @@ double wall_seconds(const common::TraceReport& trace) {
     return trace.trace_seconds + trace.sink_seconds;
 }
 
-/// Insertion is what a run with the store takes longer than the same run without: what the store's cache
-/// misses cost the tracer is in it, and a clock around the store alone would leave that out.
+/// Computes the insertion time as the difference between runs with and without the store. This includes the
+/// tracer's additional cache misses, which a clock around the store alone would not see.
 void add_times(Json& row, const RowInput& in) {
     const auto& m = in.measurements;
     const auto queries = static_cast<double>(in.queries);
@@ -55,7 +55,7 @@ void add_times(Json& row, const RowInput& in) {
                each(m, [&](const auto& x) { return 1e6 * x.gather_shuffled_seconds / queries; }));
 }
 
-/// Peak of the process, and what of it this method added.
+/// Adds the peak of the process and the part that this method added.
 void add_peak(Json& row, const RowInput& in) {
     const auto bytes = [&](auto value) {
         return static_cast<std::size_t>(median(

@@ -1,4 +1,4 @@
-// One line of the comparison's table.
+// One row of the comparison's table.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,7 +10,7 @@
 
 namespace bench::compare {
 
-/// All repetitions of one method on one scene at one number of hits.
+/// All repetitions of one method in one scene with one number of hits.
 struct RowInput {
     std::string scene;
     std::string fingerprint;  ///< of the scene, see common/scene/fingerprint.h
@@ -22,18 +22,19 @@ struct RowInput {
     std::size_t texels = 0;                      ///< of the light map; 0 for photon maps
     std::vector<common::TraceReport> null_sink;  ///< one per repetition, paired with `measurements`
     std::vector<Measurement> measurements;
-    std::size_t needed_bytes = 0;  ///< computed before, see bench/contenders/memory_need.h
+    std::size_t needed_bytes = 0;  ///< as predicted, see bench/contenders/memory_need.h
     std::size_t max_bytes = 0;     ///< --max-memory
-    std::string skipped;           ///< why the method was not run, or not to its end; empty where it was
+    std::string skipped;           ///< why the method was not run, or not completely; empty if it was
 };
 
-/// Medians over the repetitions, each time with its smallest and largest value beside it.
+/// Makes a row of medians over the repetitions; each time has its smallest and largest value beside it.
 [[nodiscard]] nlohmann::ordered_json make_row(const RowInput& input);
 
-/// A table with a line per row: the union of their plain columns, lists left out.
+/// Formats a table with one line per row. Its columns are the union of the rows' scalar ones; lists are left
+/// out.
 [[nodiscard]] std::string rows_as_csv(const nlohmann::ordered_json& rows);
 
-/// The columns that a reader wants first, for the terminal.
+/// Formats the most important columns for the terminal.
 [[nodiscard]] std::string rows_as_text(const nlohmann::ordered_json& rows);
 
 }  // namespace bench::compare

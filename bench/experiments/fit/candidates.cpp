@@ -8,7 +8,7 @@
 namespace bench::fit {
 namespace {
 
-// --- the list: a line more here is all that another basis, gather or kernel takes
+// --- the list: one line here adds a basis, gather or kernel
 
 const std::vector<std::string> bases = {"L0/normalised", "AD/radiance",   "YL2/radiance", "H4/radiance",
                                         "L2/radiance",   "L2/normalised", "L4/radiance",  "L4/normalised"};

@@ -1,4 +1,4 @@
-// The settings that a fit chooses among, and the grid of a search by brute force: one list for both.
+// The settings that a fit chooses among. The grid of a brute-force search has the same ones.
 #pragma once
 
 #include <cstddef>
@@ -11,33 +11,32 @@
 namespace bench::fit {
 
 enum class CandidateKind {
-    light_map,      ///< with so many texels, each of which shows its own hits
-    adaptive_map,   ///< with an error of so many percent as it estimates it itself
-    photon_radius,  ///< all photons within so many scene diagonals
-    photon_share    ///< the k nearest, k being so large a share of all photons
+    light_map,      ///< of `value` texels, each of which shows its own hits
+    adaptive_map,   ///< whose own estimate of its error is `value` percent
+    photon_radius,  ///< all photons within a radius of `value` scene diagonals
+    photon_share    ///< the k nearest photons, k being `value` times the number of photons
 };
 
-/// A setting but for the number of hits. Its error has the same form for any number N of hits: blur and
-/// truncation do not depend on N, the variance falls as 1 / N. That is why texels show their own hits (/h0)
-/// and k grows with N. Light maps store halves: their rounding is far below any error that can be measured.
-/// Adaptive maps are of another kind: their blocks change with N, and nothing is known of their error but at
-/// the N of the pilot.
+/// A setting without its number of hits. The error has the same form for any number N of hits: blur and
+/// truncation do not depend on N, and the variance falls as 1 / N. For this reason texels show their own hits
+/// (/h0) and k grows with N. Light maps store half floats: their rounding is far below any measurable error.
+/// Adaptive maps are different: their blocks change with N, so their error is known only at the pilot's N.
 struct Candidate {
     CandidateKind kind;
     std::string basis;   ///< of a light map, "L2/radiance"; of a photon map its kernel
     std::string gather;  ///< of a light map, "surface4" or "bilinear/face"; of a photon map "r" or "k"
-    double value;        ///< as the kind says
-    double texels = 0;   ///< of an adaptive map: its smallest blocks
+    double value;        ///< its meaning depends on `kind`
+    double texels = 0;   ///< of an adaptive map: the number of texels, its smallest blocks
 
-    /// As parse_contender reads it.
+    /// Returns the method's name in the grammar of parse_contender.
     [[nodiscard]] std::string name(std::uint64_t hits) const;
     [[nodiscard]] Contender contender(std::uint64_t hits) const { return parse_contender("fit", name(hits)); }
 
-    /// What all candidates have in common with which it differs in `value` alone; an adaptive map is alone in
-    /// its.
+    /// Names the chain: the candidates that differ in `value` alone. An adaptive map is a chain of its own.
     [[nodiscard]] std::string chain() const;
 
-    /// Of the blur, in a unit of the chain's own: a texel's side, a radius. 0 of an adaptive map.
+    /// Returns the width of the blur in a unit of the chain: a texel's side or a radius. 0 for an adaptive
+    /// map.
     [[nodiscard]] double width() const;
 
     [[nodiscard]] bool is_light_map() const { return kind == CandidateKind::light_map || is_adaptive(); }
@@ -46,23 +45,23 @@ struct Candidate {
     [[nodiscard]] bool is_adaptive() const { return kind == CandidateKind::adaptive_map; }
 };
 
-/// The k nearest are as many as parse_contender takes, and enough for their noise to be 1 / k.
+/// Bounds on k: parse_contender accepts no more, and with fewer the noise would not fall as 1 / k.
 inline constexpr double least_nearest = 8, most_nearest = 100'000;
 
-/// k of a share at so many hits, at least 2.
+/// Returns k for a share of so many hits, at least 2.
 [[nodiscard]] std::uint64_t nearest_count(double share, std::uint64_t hits);
 
-/// The basis by which the truncation of the others is measured: the one that loses least.
+/// The basis with the least truncation, against which the truncation of the others is measured.
 [[nodiscard]] const std::string& finest_basis();
 
-/// Bases whose difference is the last band of the harmonics.
+/// The basis that lacks only the last band of the finest one: their difference is that band.
 [[nodiscard]] const std::string& basis_below_finest();
 
-/// Each chain from coarse to fine.
+/// Lists all candidates, each chain from coarse to fine.
 [[nodiscard]] std::vector<Candidate> all_candidates();
 
-/// The grid as names of methods, for `study`: of shares, k in powers of two, which are shares of any number
-/// of hits.
+/// Lists the grid as names of methods, for `study`. Instead of shares it has k in powers of two, each of
+/// which is a share of any number of hits.
 [[nodiscard]] std::vector<std::string> grid_names();
 
 }  // namespace bench::fit

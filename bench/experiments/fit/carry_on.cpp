@@ -3,21 +3,21 @@
 namespace bench::fit {
 namespace {
 
-/// Whether its width is what its value says. The k nearest of a large share are not: in dark places the
-/// largest gather radius cuts them off, so that a share's blur falls more slowly than its width.
+/// Returns whether `width` is the true width of the blur. For the k nearest of a large share it is not: in
+/// dark places the largest gather radius cuts them off, so that the blur falls more slowly.
 bool has_width_of_its_own(const Candidate& candidate) {
     return candidate.kind != CandidateKind::photon_share;
 }
 
-/// Whether what was measured leaves room for what is carried on and knows less. Where it does not, the law
-/// does not hold: maps so coarse that they lose all there is to see blur hardly less when they are a little
-/// finer.
+/// Returns whether the extrapolated bias has the smaller upper bound and does not contradict the measured
+/// one. If it contradicts, the law does not hold: maps too coarse to resolve anything lose hardly less when
+/// they are a little finer.
 bool says_more(const ErrorModel& carried, const ErrorModel& own, double z) {
     return carried.upper_bias_sq(z) < own.upper_bias_sq(z) &&
            carried.upper_bias_sq(z) >= own.lower_bias_sq(z);
 }
 
-/// Its bias by `coarse`, its noise its own.
+/// Returns `own` with the bias of `carried`; the noise stays its own.
 ErrorModel with_bias_of(ErrorModel own, const ErrorModel& carried) {
     own.blur_sq = carried.blur_sq;
     own.truncation_sq = carried.truncation_sq;
@@ -42,7 +42,7 @@ ErrorModel carried_on(const ErrorModel& coarse, double coarse_width, double widt
 }
 
 void carry_on(std::span<const Candidate> candidates, double z, std::span<std::optional<ErrorModel>> model) {
-    std::optional<std::size_t> known;  // whose bias is carried on
+    std::optional<std::size_t> known;  // the candidate whose bias is extrapolated
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (known && candidates[*known].chain() != candidates[i].chain()) known.reset();
         if (known) {

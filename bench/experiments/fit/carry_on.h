@@ -1,4 +1,4 @@
-// What is known of a coarse candidate, said of a finer one of its chain.
+// Extrapolates the error of a coarse candidate to a finer one of its chain.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,17 @@
 
 namespace bench::fit {
 
-/// Where noise hides what a fine candidate blurs, a coarser one of its chain says more: squared blur falls at
-/// least as the width does. An edge's does just so, and little that light does falls more slowly once a map
-/// shows anything of it. Noise rises as one over the square of the width, over patches as much smaller.
-/// Truncation stays.
+/// Extrapolates the error model of a coarse candidate to a finer one of its chain, where noise may hide the
+/// blur. The law is that squared blur falls in proportion to the width. This is exact for an edge, and little
+/// else in a light field falls more slowly once a map resolves any of it. The variance of the noise grows as
+/// 1 / width^2, and its correlated patches shrink by the same factor. Truncation stays as it is.
 [[nodiscard]] ErrorModel carried_on(const ErrorModel& coarse, double coarse_width, double width);
 
-/// Gives every candidate of a chain, coarse ones first, the smaller of the upper bounds (at z standard
-/// errors) of its own bias and of the coarser ones' carried on, unless its own lower bound contradicts these.
-/// Shares of the k nearest, whose blur has a limit of its own, have the latter only where they were not
-/// measured. `model` has none where nothing was measured.
+/// Tightens the bias of each candidate by the coarser ones of its chain, which come first. A candidate gets
+/// the smaller of two upper bounds at z standard errors: its own and the extrapolated one. It keeps its own
+/// where its lower bound contradicts the extrapolation. Shares of the k nearest, whose blur has a limit of
+/// its own, are extrapolated only where they were not measured. `model` holds none where nothing was
+/// measured.
 void carry_on(std::span<const Candidate> candidates, double z, std::span<std::optional<ErrorModel>> model);
 
 }  // namespace bench::fit

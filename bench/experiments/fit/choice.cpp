@@ -22,8 +22,8 @@ std::string target_text(const FitGoal& goal) {
     return fmt::format("{:g} %", 100 * goal.target);
 }
 
-/// Of seconds or bytes, as the goal has it; where these are the same, the other. Not seconds but hits after
-/// bytes: a choice for bytes is the same again.
+/// Returns the sort key: the cost that the goal names, then a tie-breaker. Bytes are followed by hits, not by
+/// seconds: seconds are measured, and choices by bytes must be repeatable.
 std::pair<double, double> price(const Proposal& proposal, const FitGoal& goal) {
     const auto& [seconds, bytes, once] = proposal.cost;
     return goal.least_bytes ? std::pair(bytes, proposal.hits) : std::pair(seconds, bytes);
@@ -38,13 +38,13 @@ bool is_known(const Knowledge& known, std::size_t i, bool light_maps) {
     return known.candidates[i].is_light_map() == light_maps && known.estimates.model[i] && known.costs[i];
 }
 
-/// The most hits that the candidate can take.
+/// Returns the most hits with which the candidate can be used.
 double most_hits(const Candidate& candidate) {
     return candidate.kind == CandidateKind::photon_share ? most_nearest / candidate.value
                                                          : std::numeric_limits<double>::infinity();
 }
 
-/// What is beyond the goal's limits; empty where nothing is.
+/// Says which limit of the goal the proposal exceeds; empty if none.
 std::string beyond(const Knowledge& known, const FitGoal& goal, const Proposal& proposal) {
     if (proposal.hits > goal.max_hits)
         return fmt::format("{:.3g} hits, and --max-hits is {:.3g}", proposal.hits, goal.max_hits);
@@ -60,7 +60,7 @@ std::string beyond(const Knowledge& known, const FitGoal& goal, const Proposal& 
     return memory.empty() ? "" : fmt::format("memory: {} with {:.3g} hits", memory, proposal.hits);
 }
 
-/// Why the one with the least bias does not reach the target either.
+/// Explains why even the candidate with the least bias does not reach the target.
 std::string bias_forbids(const Proposal& least, const std::string& name, const FitGoal& goal,
                          bool light_maps) {
     const ErrorModel& model = least.model;
@@ -77,7 +77,8 @@ std::string bias_forbids(const Proposal& least, const std::string& name, const F
         percent(model.upper_bias_sq(goal.z)));
 }
 
-/// The candidate with the least bias, at the most hits that are allowed. None whose bias falls as hits rise.
+/// Returns the candidate with the least bias, at the most hits that are allowed. It skips adaptive maps,
+/// whose bias falls with more hits.
 Choice out_of_reach(const Knowledge& known, const FitGoal& goal, bool light_maps) {
     Choice choice;
     double least = std::numeric_limits<double>::infinity();

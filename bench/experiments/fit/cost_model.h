@@ -1,4 +1,4 @@
-// What a candidate costs at so many hits, from what its pilot has cost.
+// Predicts what a candidate costs with so many hits from what its pilot cost.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,14 @@ struct FitCost {
     double prepare_seconds = 0;  ///< once for the scene, not in `seconds`
 };
 
-/// Tracing and insertion take their measured time for each hit. A photon map's bytes, index and gathers grow
-/// as its hits do; a light map's do not. Times are measured and differ from run to run; bytes do not.
+/// Predicts the cost with `hits` hits. Tracing and insertion take their measured time per hit. The bytes,
+/// index and gathers of a photon map grow with its hits; those of a light map do not. Times are measured and
+/// differ from run to run; bytes do not.
 [[nodiscard]] FitCost cost_at(const Candidate& candidate, const PilotCost& pilot, double hits);
 
-/// Costs in the candidates' order. Of one that was not measured: those of the next coarser one of its chain,
-/// a light map's with as many more bytes and seconds of building as it has more texels.
+/// Returns the costs in the candidates' order. A candidate that was not measured gets those of the next
+/// coarser one of its chain. For light maps, bytes and building times are scaled by the ratio of their
+/// texels.
 [[nodiscard]] std::vector<std::optional<PilotCost>> costs_of(std::span<const Candidate> candidates,
                                                              std::span<const PilotSample> samples);
 

@@ -7,7 +7,7 @@ namespace bench::fit {
 
 namespace {
 
-/// (x^2 - x) N, counted from x = 1 on.
+/// Returns max(0, x^2 - x) N.
 double noise_doubt(const ErrorModel& model, double x) {
     const double noise_alone = std::min(model.noise_variance, 2 * model.spread_variance);
     return std::max(0.0, x * x - x) * noise_alone;
@@ -32,7 +32,7 @@ std::optional<double> hits_for(const ErrorModel& model, double target, double z)
     if (model.at_pilot_alone) return meets(model.pilot_hits) ? std::optional(model.pilot_hits) : std::nullopt;
     if (!meets(most)) return std::nullopt;
     if (meets(fewest)) return fewest;
-    // Both parts fall with more hits.
+    // Bisection is possible, as both parts fall with more hits.
     double low = std::log(fewest), high = std::log(most);
     for (int step = 0; step < 100; ++step) {
         const double middle = 0.5 * (low + high);

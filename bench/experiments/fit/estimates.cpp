@@ -14,12 +14,12 @@ namespace {
 using Candidates = std::span<const Candidate>;
 using Samples = std::span<const PilotSample>;
 
-/// Irradiance by normal of light with harmonics of equal strength in all bands has the power
-/// (2 l + 1) A_l^2 in band l, A_l the cosine's coefficient (Ramamoorthi and Hanrahan 2001): what bands 6, 8,
-/// ... have together is a third of band 4. Odd bands beyond 1 have none.
+/// The power of bands 6, 8, ... of the irradiance over normals, relative to that of band 4. If radiance has
+/// equal coefficients in all bands, irradiance has the power (2 l + 1) A_l^2 in band l, A_l being the
+/// coefficient of the cosine (Ramamoorthi and Hanrahan 2001). Odd bands beyond 1 have none.
 constexpr double bands_beyond_last = 1.0 / 3;
 
-/// The light map of the same texels and gather with another basis, if it was measured.
+/// Returns the light map of the same texels and gather with another basis, or null if it was not measured.
 const Halves* with_basis(const Candidate& candidate, const std::string& basis, Candidates candidates,
                          Samples samples) {
     for (std::size_t i = 0; i < candidates.size(); ++i)
@@ -30,8 +30,8 @@ const Halves* with_basis(const Candidate& candidate, const std::string& basis, C
     return nullptr;
 }
 
-/// What of the squared bias finer texels leave as it is: how far the basis is from the finest, and what that
-/// one leaves out.
+/// Estimates the part of the squared bias that finer texels do not reduce: the difference from the finest
+/// basis, plus the truncation of the finest basis itself.
 double truncation_sq(std::size_t i, Candidates candidates, Samples samples, const Measure& measure) {
     if (candidates[i].kind != CandidateKind::light_map) return 0;
     const Halves* finest = with_basis(candidates[i], finest_basis(), candidates, samples);
@@ -59,7 +59,7 @@ ErrorModel model_of(std::size_t i, Candidates candidates, Samples samples, const
             .at_pilot_alone = candidates[i].is_adaptive()};
 }
 
-/// Of the photon maps of k nearest that were measured, the one whose k is nearest to this.
+/// Returns the measured photon map of k nearest whose k is closest to this one.
 const Halves* photons_near(double k, Candidates candidates, Samples samples) {
     const Halves* found = nullptr;
     double least = std::numeric_limits<double>::infinity();
@@ -107,7 +107,7 @@ Estimates estimate_by(Candidates candidates, Samples samples, const Halves& trut
 std::optional<Estimates> estimate_errors(Candidates candidates, Samples samples, const Halves& truth,
                                          const FitPoints& points, std::vector<common::Rgb> best_so_far,
                                          double z) {
-    constexpr double nowhere_far_off = 64;  // nearest photons, whatever the light is like
+    constexpr double nowhere_far_off = 64;  // a k that gives a usable estimate in any light
     const Halves* guess = photons_near(nowhere_far_off, candidates, samples);
     if (!guess) return std::nullopt;
     const Halves& against = truth.present() ? truth : *photons_near(least_nearest, candidates, samples);

@@ -1,4 +1,4 @@
-// From the pilot's answers to an error model of every candidate.
+// Makes an error model of every candidate from the answers of the pilot.
 #pragma once
 
 #include <optional>
@@ -9,21 +9,21 @@
 
 namespace bench::fit {
 
-/// Models in the candidates' order: none where nothing is known.
+/// Error models in the candidates' order; none where nothing is known.
 struct Estimates {
-    Halves truth;            ///< all bias is measured against it
-    double truth_doubt = 0;  ///< standard error that its noise alone leaves in the square of a bias
+    Halves truth;            ///< the estimate against which all bias is measured
+    double truth_doubt = 0;  ///< standard error of a squared bias that is due to the noise of `truth` alone
     std::size_t best = 0;    ///< the candidate with the least expected error
-    std::vector<common::Rgb> best_answers;  ///< its mean with the truth: what errors are relative to
+    std::vector<common::Rgb> best_answers;  ///< its answers combined with the truth: denominators of errors
     std::vector<std::optional<ErrorModel>> model;
-    std::vector<bool> measured;  ///< false where the model is a coarser candidate's, carried on
+    std::vector<bool> measured;  ///< false where the model is extrapolated from a coarser candidate
 };
 
-/// Samples are in the candidates' order. `truth`: unbiased, of photons or paths that no sample has seen;
-/// where it is not present the photon map of the fewest nearest that was measured stands in for it, which
-/// blurs least. `best_so_far`: answers by which errors are relative; empty: those of a photon map of about 64
-/// nearest, and then those of the best of all. `z`: how many standard errors an estimate of bias is to be
-/// trusted by. None where there is nothing to begin with.
+/// Estimates the error model of every candidate; samples are in the candidates' order. `truth` is unbiased
+/// and made of photons or paths that are in no sample. Where it is not present, the measured photon map with
+/// the fewest nearest photons, which blurs least, replaces it. Errors are relative to `best_so_far`. If that
+/// is empty, they are relative first to a photon map of about 64 nearest, then to the best of all. Biases are
+/// bounded at `z` standard errors. Returns none where there is no photon map to begin with.
 [[nodiscard]] std::optional<Estimates> estimate_errors(std::span<const Candidate> candidates,
                                                        std::span<const PilotSample> samples,
                                                        const Halves& truth, const FitPoints& points,

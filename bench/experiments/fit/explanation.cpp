@@ -14,7 +14,7 @@ namespace {
 
 constexpr int picture_width = 240, picture_height = 135;
 
-/// Of the points on one instance; the others count nothing.
+/// Returns the measure with zero weight at all points that are not on this instance.
 Measure measure_of(const Measure& all, const FitPoints& points, const common::Scene& scene,
                    std::uint32_t instance) {
     Measure measure = all;
@@ -50,7 +50,7 @@ std::vector<SurfaceError> surface_errors(const FitResult& result, const PilotSub
     return surfaces;
 }
 
-/// Made again with the pilot's seed.
+/// Traces the adaptive map again with the pilot's seed.
 shlm::AdaptiveMap traced_map(const Contender& contender, std::uint64_t hits, const PilotSubject& subject) {
     FilledStore store({contender}, subject.prepared, subject.source);
     const common::TraceReport trace = traced_run(contender.name, subject.loaded, subject.source, subject.seed,
@@ -58,7 +58,8 @@ shlm::AdaptiveMap traced_map(const Contender& contender, std::uint64_t hits, con
     return dynamic_cast<const AdaptiveLightMap&>(*contender.technique).map_of(*store.store, trace);
 }
 
-/// Of texels that are covered whole, as an adaptive map counts its blocks' widths; world units.
+/// Returns the widths that texels would have if they were covered whole, in scene units. Adaptive maps
+/// measure the widths of their blocks in this way.
 std::vector<float> widths_of_whole_texels(const shlm::PreparedTexels& texels) {
     std::vector<float> width(texels.geometry.size());
     for (const shlm::TexelRegion& region : texels.layout.regions())
@@ -72,8 +73,7 @@ std::vector<float> widths_of_whole_texels(const shlm::PreparedTexels& texels) {
     return width;
 }
 
-/// Of texels, each of which shows its own hits; of the blocks of an adaptive map, were they one texel. World
-/// units.
+/// Returns the width of each texel in scene units; for an adaptive map, the width of a block of one texel.
 std::vector<float> widths_of_texels(const shlm::PreparedTexels& texels, bool adaptive) {
     if (adaptive) return widths_of_whole_texels(texels);
     std::vector<float> width;

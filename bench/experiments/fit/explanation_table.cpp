@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the pixels of one instance see.
+/// What the pixels that show one instance see.
 struct Seen {
     std::map<std::string, std::size_t> pixels_by_kind;
     std::vector<float> width;
@@ -31,7 +31,8 @@ std::map<std::uint32_t, Seen> seen_by_instance(const Explanation& explanation) {
     return seen;
 }
 
-/// Shares of the instance's pixels, and the width of the blocks that half of them see.
+/// Returns the fraction of the instance's pixels for each kind of block, and the median width of the blocks
+/// they see.
 Json blocks_as_json(Seen& seen) {
     Json kinds = Json::object();
     for (const auto& [kind, pixels] : seen.pixels_by_kind)
@@ -97,7 +98,8 @@ Json explanation_as_json(const Explanation& explanation, const common::Scene& sc
     return rows;
 }
 
-/// Of all that a block may keep, by the order of what is summed for it.
+/// Returns a colour for each thing that a block may keep, ordered by the order of the harmonics that are
+/// summed for it.
 Json colours_of_kinds() {
     std::vector<const LightBasis*> bases;
     for (const auto& [place, basis] : light_bases()) bases.push_back(&basis);

@@ -1,4 +1,5 @@
-// What --explain says: a table in fit.json, fit.md and on the terminal, and the picture's explanation.json.
+// The output of --explain: a table in fit.json, in fit.md and on the terminal, and explanation.json for the
+// picture.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,15 +9,15 @@
 
 namespace bench::fit {
 
-/// One row per mesh instance that is seen, the most error first.
+/// Returns one row per visible mesh instance, the most error first.
 [[nodiscard]] nlohmann::ordered_json explanation_as_json(const Explanation& explanation,
                                                          const common::Scene& scene);
 
-/// All pixels, as bench/report/fit/explanation_chart.py reads them.
+/// Returns all pixels in the form that bench/report/fit/explanation_chart.py reads.
 [[nodiscard]] nlohmann::ordered_json picture_as_json(const Explanation& explanation,
                                                      const nlohmann::ordered_json& fit);
 
-/// In Markdown, which reads well on a terminal too. `rows` at most.
+/// Formats at most `rows` rows in Markdown, which also reads well on a terminal.
 [[nodiscard]] std::string explanation_text(const nlohmann::ordered_json& surfaces, std::size_t rows);
 
 }  // namespace bench::fit

@@ -1,4 +1,4 @@
-// shlmbench fit: the settings that reach an error at least cost, found without a reference.
+// shlmbench fit: finds the settings that reach an error at least cost, without a reference.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -21,13 +21,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What a fit works on. All must outlive it.
+/// What a fit works on. Whatever it refers to must outlive it.
 struct FitScene {
     PilotSubject subject;
     ReferenceScene* with_reference;  ///< null: nothing is verified
 };
 
-/// What a fit has to say.
+/// The results of a fit.
 struct FitDocuments {
     Json fit;
     Json models;
@@ -49,7 +49,7 @@ void add_explanation(const FitResult& result, const PilotSubject& subject, FitDo
         const Explanation explanation = explain(result, subject);
         documents.fit["explanation"] = explanation_as_json(explanation, subject.loaded.scene);
         documents.picture = picture_as_json(explanation, documents.fit);
-    } catch (const Stopped&) {  // by the user: the answer is there without it
+    } catch (const Stopped&) {  // by the user: the answer is valid without it
     }
 }
 
@@ -102,7 +102,7 @@ void fit_all(const FitPlan& plan, const LoadedScene& loaded, const common::Photo
 }
 
 void fit_all(const FitPlan& plan, bool as_json) {
-    if (plan.reference) {  // read first: what cannot be verified is not to be found out after the search
+    if (plan.reference) {  // read first, so that a bad reference fails before the search
         ReferenceScene scene(plan.file, *plan.reference, plan.scene, plan.settings);
         return fit_all(plan, scene.loaded(), scene.source(), scene.prepared(), &scene, as_json);
     }

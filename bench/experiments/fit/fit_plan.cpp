@@ -14,11 +14,11 @@
 namespace bench::fit {
 namespace {
 
-constexpr double confidence = 0.9;  // of ten runs nine meet the target
-// Calibrated: with a margin of 1 nine of ten runs on the random rooms 1 to 24 use at most 1.3 of it, as far
-// as the draw of the rooms lets one tell (results/models/promise/calibration.json, bench/report fit-promise).
+constexpr double confidence = 0.9;  // nine runs of ten meet the target
+// Calibrated: with a margin of 1, nine of ten runs on the random rooms 1 to 24 use at most 1.3 of the margin,
+// an upper bound over draws of the rooms (results/models/promise/calibration.json, bench/report fit-promise).
 constexpr double margin = 1.4;
-constexpr double tries = 10;  // of a map whose blocks change with its hits: pilots, and fewer hits
+constexpr double tries = 10;  // how often an adaptive map is tried, by pilots and then with fewer hits
 constexpr std::size_t most_seeds = 1000;
 
 FitGoal goal_of(const FitOptions& options, const std::string& target, const std::string& least) {

@@ -1,4 +1,4 @@
-// What a fit is asked to do, checked.
+// The checked options of a fit.
 #pragma once
 
 #include <filesystem>
@@ -27,8 +27,8 @@ struct FitOptions {
 struct FitPlan {
     std::string file;
     std::vector<FitGoal> goals;  ///< each target by each of `least`
-    std::uint64_t pilot_hits;    ///< of each half, at most
-    double seconds;              ///< of a goal's search, once its first pilot is there
+    std::uint64_t pilot_hits;    ///< upper limit for each half
+    double seconds;              ///< limit of a goal's search; the first pilot is always finished
     std::size_t max_bytes;
     std::optional<std::filesystem::path> reference;  ///< to verify with
     std::size_t seeds;                               ///< runs of each verification
@@ -40,12 +40,13 @@ struct FitPlan {
     std::uint64_t seed;
     int threads;
 
-    /// Where the results of a goal go: of several each has a folder of its own, such as 5-time. There is an
-    /// `out`.
+    /// Returns where the results of a goal go: with several goals, each has a folder of its own, such as
+    /// 5-time. `out` must be set.
     [[nodiscard]] std::filesystem::path folder_of(const FitGoal& goal) const;
 };
 
-/// Throws InputError for the first option that makes no sense; makes the output folder.
+/// Checks the options and makes the output folder. Throws InputError for the first option that makes no
+/// sense.
 [[nodiscard]] FitPlan make_plan(const FitOptions& options);
 
 }  // namespace bench::fit

@@ -11,8 +11,8 @@ constexpr std::uint32_t width = 96, height = 54, tile_side = 6;
 constexpr std::uint32_t tiles_across = width / tile_side, tiles_down = height / tile_side;
 constexpr std::uint32_t places = 4;  // across each pixel, and down
 
-/// What is seen at one place of each pixel, drawn for each: a regular grid would hit all of a narrow groove
-/// that runs along its rows, or miss it.
+/// Returns what is seen at a random position in each pixel. A regular grid would hit the whole of a narrow
+/// groove that runs along its rows, or miss it.
 std::vector<common::VisibleSurface> seen_by_pixel(const LoadedScene& scene) {
     const auto seen =
         common::visible_surfaces(scene.rays, scene.camera, int{places * width}, int{places * height});

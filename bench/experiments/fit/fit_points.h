@@ -1,4 +1,4 @@
-// The points at which a fit asks its candidates.
+// The points at which a fit evaluates its candidates.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@ namespace bench::fit {
 
 struct FitPoints {
     std::vector<common::SurfacePoint>
-        point;  ///< what the camera sees in 96 x 54 pixels, row by row, at a place drawn in each
-    std::vector<common::VisibleSurface> seen;  ///< the same points, for paths to start at
-    std::vector<std::uint32_t> tile;           ///< of each point: the part of the image that it is in
+        point;  ///< what the camera sees in 96 x 54 pixels, row by row, at a random position in each
+    std::vector<common::VisibleSurface> seen;  ///< the same points, where paths start
+    std::vector<std::uint32_t> tile;           ///< of each point: the tile of the image that contains it
     Tiling tiling;
 };
 
-/// Tiles are larger than the blur of any candidate worth having, so that noise in one says nothing of the
-/// noise in another, and many, so that their sums have a spread that can be measured. Throws InputError where
+/// Finds the points and tiles. Tiles are larger than the blur of any useful candidate, so that their noise is
+/// independent. They are also many, so that the spread of their sums can be measured. Throws InputError where
 /// the camera sees no diffuse surface.
 [[nodiscard]] FitPoints find_fit_points(const LoadedScene& scene);
 

@@ -84,7 +84,7 @@ Json rows_of(const FitResult& result, std::span<const Proposal> proposals, const
     return rows;
 }
 
-/// Of a candidate's value.
+/// Names the quantity that a candidate's value is.
 const char* kind_name(CandidateKind kind) {
     switch (kind) {
         case CandidateKind::light_map:
@@ -110,7 +110,7 @@ Json pilot_as_json(const FitPlan& plan, const FitResult& result) {
     return pilot;
 }
 
-/// 3.24e+07, 12.3 MB
+/// Formats a row; hits are printed as 3.24e+07 and bytes as 12.3 MB.
 std::string row_text(const char* form, const Json& row) {
     const auto percent = [&](const char* part) { return 100 * row[part].get<double>(); };
     return fmt::format(fmt::runtime(form), row["method"].get<std::string>(), row["hits"].get<double>(),
@@ -123,7 +123,7 @@ constexpr const char* text_row =
 constexpr const char* markdown_row =
     "| {} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.3g} | {:.4g} |\n";
 
-/// Whether the choice is sure, and what was measured.
+/// Says whether the choice is sure, and what was measured.
 std::string measured_text(const Json& entry) {
     std::string text;
     if (entry.contains("doubt")) text = fmt::format("not sure: {}", entry["doubt"].get<std::string>());

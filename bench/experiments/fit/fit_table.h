@@ -1,4 +1,4 @@
-// What a fit says: fit.json, fit.md and a table to read.
+// The output of a fit: fit.json, fit.md and a table for the terminal.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -20,13 +20,13 @@ struct FitVerification {
                                                  const common::Scene& scene, const FitResult& result,
                                                  const FitVerification& verified);
 
-/// The error model of every candidate of which something is known, a row each.
+/// Returns a row with the error model of every candidate that has one.
 [[nodiscard]] nlohmann::ordered_json models_as_json(const FitResult& result);
 
-/// For a terminal.
+/// Formats the result for a terminal.
 [[nodiscard]] std::string fit_as_text(const nlohmann::ordered_json& document);
 
-/// The same with the cheapest settings of either kind.
+/// Formats the same in Markdown, with the cheapest settings of either kind.
 [[nodiscard]] std::string fit_as_markdown(const nlohmann::ordered_json& document);
 
 }  // namespace bench::fit

@@ -10,7 +10,7 @@ namespace {
 
 using common::Rgb;
 
-/// Calls `work` with point, channel and weight.
+/// Calls `work` with point, channel and weight for every value.
 template <class Work>
 void for_all_values(const Measure& measure, Work work) {
     for (std::size_t i = 0; i < measure.weight.size(); ++i)
@@ -42,7 +42,7 @@ SquareEstimate squared_difference(const Halves& halves, const Halves& other, con
                             .tile_difference = std::vector<double>(measure.tiling.count()),
                             .tiling = measure.tiling};
     const std::size_t points = measure.weight.size();
-    double sum_of_squares = 0;  // of what points add, less half the square of what their halves differ by
+    double sum_of_squares = 0;  // squared contributions, less the squares of half the halves' difference
     for (std::size_t i = 0; i < points; ++i) {
         double added = 0, difference = 0;
         for (int c = 0; c < 3; ++c) {
@@ -98,7 +98,7 @@ std::vector<Rgb> joined(const Halves& answers, const Halves& truth, const Measur
     for_all_values(measure, [&](std::size_t i, int c, double weight) {
         const double a = double{mean[i][c]} - truth.a[i][c], b = double{mean[i][c]} - truth.b[i][c];
         error_sq[measure.tile[i]] += weight * a * b;
-        truth_noise_sq[measure.tile[i]] += weight * (a - b) * (a - b) / 4;  // of the mean of both
+        truth_noise_sq[measure.tile[i]] += weight * (a - b) * (a - b) / 4;  // variance of the mean of both
     });
     for (std::size_t i = 0; i < mean.size(); ++i) {
         const double error = std::max(0.0, error_sq[measure.tile[i]]);

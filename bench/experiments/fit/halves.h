@@ -1,4 +1,5 @@
-// How far an estimator is from another, and how much it varies, from two runs of it and without a truth.
+// Estimates the difference of two estimators and its variance from two independent runs, without knowing the
+// truth.
 #pragma once
 
 #include <span>
@@ -9,15 +10,15 @@
 
 namespace bench::fit {
 
-/// What one candidate answers at the points by two independent halves of the photons, W/m^2.
+/// The answers of one candidate at the points from two independent halves of the photons, W/m^2.
 struct Halves {
     std::vector<common::Rgb> a, b;
     [[nodiscard]] bool present() const { return !a.empty() && !b.empty(); }
 };
 
-/// What a relative error is relative to, and where points stand in the image.
+/// The weights of relative errors, and the positions of the points in the image.
 struct Measure {
-    std::vector<common::Rgb> weight;      ///< of each point: 1 / (R^2 + epsilon), R the best answer there is
+    std::vector<common::Rgb> weight;      ///< of each point: 1 / (R^2 + epsilon), R the best known answer
     std::span<const std::uint32_t> tile;  ///< of each point
     Tiling tiling;
 
@@ -26,18 +27,19 @@ struct Measure {
             const Tiling& tiling_of);
 };
 
-/// A squared relative error, mean over points and channels, with what tells how sure it is.
+/// An estimate of a squared relative error, averaged over points and channels, and its variance.
 ///
-/// The two halves may be exchanged: what a tile adds to mean w (a - f)^2 less what it adds to the same with b
-/// is zero in the mean over all photons, and its spread is the photons' alone, whatever the light is like in
-/// different tiles. With a - f = beta + alpha and b - f = beta + alpha', half that difference is the sum of
-/// w (beta + (alpha + alpha') / 2) (alpha - alpha'), whose variance is that of the sum of w (a - f)(b - f)
-/// where alpha is normal: beta (alpha - alpha') varies as beta (alpha + alpha'), and (alpha^2 - alpha'^2) / 2
-/// as alpha alpha'. So the tiles say what the variance of the estimate is (variance_of_sum).
+/// The variance follows from exchanging the two halves a and b. Consider a tile's contribution to the mean of
+/// w (a - f)^2, minus the same with b. Its expectation is zero, and its spread is due to the photons alone,
+/// however the light differs between tiles. Let a - f = beta + alpha and b - f = beta + alpha'. Half that
+/// difference is the sum of w (beta + (alpha + alpha') / 2) (alpha - alpha'). Where alpha is normal, its
+/// variance is that of the sum of w (a - f)(b - f): beta (alpha - alpha') varies as beta (alpha + alpha'),
+/// and (alpha^2 - alpha'^2) / 2 as alpha alpha'. So these differences of the tiles give the variance of the
+/// estimate (variance_of_sum).
 struct SquareEstimate {
     double value = 0;
-    /// Of the mean over other points of the image as many: from how much single points add, without what
-    /// noise makes of that. The points are a grid, and it hits narrow creases or misses them.
+    /// Variance of the mean over another set of as many image points, from the contributions of single points
+    /// less their noise. The points are a grid, which may hit narrow creases or miss them.
     double sampling_variance = 0;
     std::vector<double> tile_difference;  ///< half the difference between the halves, of each tile
     Tiling tiling;
@@ -45,34 +47,34 @@ struct SquareEstimate {
     [[nodiscard]] double variance() const;
 };
 
-/// (What `halves` converges to - what `other` converges to)^2: mean of w (a - f_a)(b - f_b), without bias as
-/// nothing of a is in b. May come out below zero.
+/// Estimates the squared difference of what `halves` and `other` converge to: the mean of w (a - f_a)(b -
+/// f_b). It is unbiased, since the a's are independent of the b's. It may be negative.
 [[nodiscard]] SquareEstimate squared_difference(const Halves& halves, const Halves& other,
                                                 const Measure& measure);
 
-/// Of something that has a value at each point: mean of w (value)^2.
+/// Returns the mean of w (value)^2 over the points.
 [[nodiscard]] double mean_square(std::span<const common::Rgb> values, const Measure& measure);
 
-/// Variance of one half: mean of w (a - b)^2 / 2.
+/// Estimates the variance of one half: the mean of w (a - b)^2 / 2.
 [[nodiscard]] double noise_sq(const Halves& halves, const Measure& measure);
 
-/// Variance over runs of the mean square noise of one half, at most: the sum of the squares of what the tiles
-/// add, as a variance is at most the mean square; more where noise joins tiles, by as much as that adds to
-/// the variance of the noise itself.
+/// Bounds the variance over runs of the mean square noise of one half. The bound is the sum of the squares of
+/// the tiles' contributions, as a variance is at most the mean square. Where noise is correlated between
+/// tiles, it is scaled by the factor by which this raises the variance of the noise itself.
 [[nodiscard]] double most_noise_variance(const Halves& halves, const Measure& measure);
 
-/// Variance over runs, as far as the photons of `halves` alone cause it, of half the difference between the
-/// halves' squared distances to `centre`: what SquareEstimate's variance is where the other does not vary.
+/// Returns the variance over runs, due to the photons of `halves` alone, of half the difference between the
+/// halves' squared distances to `centre`. This is SquareEstimate's variance where `other` has none.
 [[nodiscard]] double variance_about(const Halves& halves, std::span<const common::Rgb> centre,
                                     const Measure& measure);
 
-/// Of the answers and of what `truth` has no bias of, the mean with the least error, tile by tile: each
-/// counts as the other errs there. By the answers alone light would be blurred where theirs is, and an error
-/// relative to it would count too little.
+/// Combines the answers with `truth`, which is unbiased, into the mean of least error, tile by tile: the
+/// weight of each is proportional to the squared error of the other. The answers alone would blur the light
+/// where the candidate does, and an error relative to them would count too little.
 [[nodiscard]] std::vector<common::Rgb> joined(const Halves& answers, const Halves& truth,
                                               const Measure& measure);
 
-/// Mean of both halves.
+/// Returns the mean of both halves.
 [[nodiscard]] std::vector<common::Rgb> mean_of(const Halves& halves);
 
 }  // namespace bench::fit

@@ -8,7 +8,7 @@ namespace {
 
 std::optional<double> least_hits(const ErrorModel& model, bool measured, const FitGoal& goal) {
     const double target_sq = goal.target * goal.target;
-    if (model.at_pilot_alone)  // if all of its error fell as noise does
+    if (model.at_pilot_alone)  // the best case: all of its error falls as noise does
         return model.pilot_hits * std::max(1.0, model.error_sq(model.pilot_hits) / target_sq);
     const double certain_bias_sq = measured ? std::max(0.0, model.lower_bias_sq(goal.z)) : 0.0;
     const double left = target_sq - certain_bias_sq;

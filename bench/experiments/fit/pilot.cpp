@@ -12,9 +12,9 @@ namespace bench::fit {
 namespace {
 
 constexpr std::uint64_t first_photon_of_b = std::uint64_t{1} << 40;
-constexpr double least_hits_per_texel = 2;  // an adaptive map of more has the same blocks, slowly
+constexpr double least_hits_per_texel = 2;  // with more texels an adaptive map has the same blocks, slower
 
-/// Candidates that one store serves, by their places in the list.
+/// Candidates that share one store, as indices into the list.
 struct Group {
     std::vector<std::size_t> members;
     ContenderGroup contenders;
@@ -35,8 +35,8 @@ std::vector<Group> groups_of(std::span<const Candidate> candidates, std::span<co
     return groups;
 }
 
-/// Groups whose stores fit into memory side by side, filled by one trace. What does not fit alone is left
-/// out.
+/// Groups the stores into batches that fit into memory together and are filled by one trace. Stores that do
+/// not fit alone are left out.
 std::vector<std::vector<Group>> batches_of(std::vector<Group> groups, const PilotSubject& subject,
                                            std::uint64_t hits) {
     std::vector<std::vector<Group>> batches;
@@ -55,7 +55,7 @@ std::vector<std::vector<Group>> batches_of(std::vector<Group> groups, const Pilo
     return batches;
 }
 
-/// Adds half of what this half has cost: the mean of two.
+/// Adds half of the cost of this half, so that two halves add up to their mean.
 void add_cost(PilotCost& cost, const common::TraceReport& trace, const FilledStore& filled,
               const FinishedMap& map, double gather_seconds) {
     cost.hits += 0.5 * static_cast<double>(trace.hits);

@@ -1,4 +1,4 @@
-// The pilot: two independent halves of a run, each asked by every candidate.
+// The pilot: two independent halves of a run, each of which every candidate is built from.
 #pragma once
 
 #include <span>
@@ -12,44 +12,44 @@
 
 namespace bench::fit {
 
-/// What a pilot traces. All must outlive it.
+/// What a pilot traces. Whatever it refers to must outlive it.
 struct PilotSubject {
     const LoadedScene& loaded;
     const common::PhotonSource& source;
     PreparedScene& prepared;
     const FitPoints& points;
     std::uint64_t seed;
-    std::size_t max_bytes;  ///< for all stores that are filled at once
+    std::size_t max_bytes;  ///< for all stores that are filled by one trace
 };
 
-/// What one half has cost, wall time of all threads.
+/// The cost of one half. Times are wall time of all threads.
 struct PilotCost {
     double hits = 0;
     double trace_seconds = 0;
     double insert_seconds = 0;
     double build_seconds = 0;
-    double gather_seconds = 0;   ///< all points
+    double gather_seconds = 0;   ///< for all points
     double bytes = 0;            ///< of the finished map
     double prepare_seconds = 0;  ///< once for the scene
 };
 
-/// What is known of a candidate: nothing before its first pilot.
+/// The measurements of one candidate; empty before its first pilot.
 struct PilotSample {
     Halves halves;
     PilotCost cost;  ///< the mean of both halves
     [[nodiscard]] bool present() const { return halves.present(); }
 };
 
-/// Whether so many hits say anything about the candidate: two hits a texel,
-/// least_nearest to most_nearest photons a gather.
+/// Returns whether so many hits can measure the candidate. It takes two hits per texel, or between
+/// least_nearest and most_nearest photons per gather.
 [[nodiscard]] bool is_measurable(const Candidate& candidate, std::uint64_t hits);
 
-/// Fills the samples of the chosen candidates anew with `hits` hits a half; those that do not fit into memory
-/// stay as they are. Half A is the run's photons from the first on, half B those from 2^40 on: the counters
-/// of the random numbers (common/core/random.h) have no photon in common, and no run comes so far. Photons of
-/// a smaller pilot are the first of a larger one, in the same half, so that samples of different sizes may be
-/// compared: what is in half A of one is never in half B of another. Throws Stopped; then what was not
-/// finished is not present.
+/// Replaces the samples of the chosen candidates by new ones with `hits` hits per half. Candidates that do
+/// not fit into memory keep theirs. Half A takes the photons from the first on, half B those from 2^40 on,
+/// which no run reaches. The counters of the random numbers (common/core/random.h) thus have no photon in
+/// common. The photons of a smaller pilot are the first of a larger one in the same half. So samples of
+/// different sizes may be compared: half A of one never has a photon of half B of another. Throws Stopped;
+/// what was not finished is then not present.
 void run_pilot(const PilotSubject& subject, std::span<const Candidate> candidates,
                std::span<const std::size_t> chosen, std::uint64_t hits, const StopRule& stop,
                std::vector<PilotSample>& samples);

@@ -1,4 +1,4 @@
-// What was traced, for all goals of a fit: most of what they ask is the same.
+// Keeps the pilots' samples for all goals of a fit, which need mostly the same ones.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@ namespace bench::fit {
 
 class PilotArchive {
   public:
-    /// `subject` must outlive it.
+    /// Keeps a reference to `subject`, which must outlive it.
     explicit PilotArchive(const PilotSubject& subject)
         : subject_(subject), truth_(subject.loaded, subject.source, subject.points, subject.seed) {}
 
@@ -18,8 +18,9 @@ class PilotArchive {
     [[nodiscard]] const std::vector<Candidate>& candidates() const { return candidates_; }
     [[nodiscard]] PathTruth& truth() { return truth_; }
 
-    /// As run_pilot of all candidates, but what was traced with so many hits before is taken from there: the
-    /// same answers, as photons are counted and stores know nothing of each other. Throws Stopped.
+    /// Does what run_pilot does for all candidates, but reuses samples that were traced with so many hits
+    /// before. They are the same, since photons are counted and stores are independent of each other. Throws
+    /// Stopped.
     void run_pilot(std::span<const std::size_t> chosen, std::uint64_t hits, const StopRule& stop,
                    std::vector<PilotSample>& samples);
 

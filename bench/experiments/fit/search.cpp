@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint64_t growth = 4;
 constexpr int most_growths = 6;          // from the first pilot to the largest
-constexpr double enough = 1.1;           // a candidate's hits are known to a tenth
-constexpr double worth_it = 1.2;         // the choice might cost so much less if there were no doubt
+constexpr double enough = 1.1;           // a candidate is settled if its hits are known to a tenth
+constexpr double worth_it = 1.2;         // go on if certainty might make the choice cheaper by so much
 constexpr std::size_t most_rivals = 24;  // of one kind, in pilots after the first
 
 struct State {
@@ -39,30 +39,30 @@ double price_of(const FitGoal& goal, const FitCost& cost) {
     return goal.least_bytes ? cost.bytes : cost.seconds;
 }
 
-/// What the candidate would cost at the very best; infinite where that is out of reach.
+/// Returns the cost of the candidate in the best case; infinite if it cannot reach the target.
 double least_price(const State& state, std::size_t i) {
     const std::optional<double> hits = state.result.needed[i].least;
     if (!hits || *hits > state.goal.max_hits) return std::numeric_limits<double>::infinity();
     return price_of(state.goal, cost_at(state.result.candidates[i], *state.result.costs[i], *hits));
 }
 
-/// Of the choice; infinite where nothing was reached.
+/// Returns the cost of the choice; infinite if nothing was reached.
 double price_of(const State& state, const Decision& decision) {
     return decision.choice.reached ? price_of(state.goal, decision.choice.proposal.cost)
                                    : std::numeric_limits<double>::infinity();
 }
 
-/// Whether its hits would hardly change if there were no doubt about them.
+/// Returns whether certainty would hardly change the hits of the candidate.
 bool is_settled(const State& state, std::size_t i) {
     const NeededHits& needed = state.result.needed[i];
     return state.result.estimates.measured[i] && needed.sure && needed.likely &&
            *needed.sure < enough * *needed.likely;
 }
 
-/// Whether a map that wants so much error of itself may be the cheapest that reaches the target.
+/// Returns whether a map with this limit on its own error may be the cheapest that reaches the target.
 bool is_near_target(const Candidate& candidate, const FitGoal& goal) {
     if (!candidate.is_adaptive()) return true;
-    constexpr double least = 0.2, most = 1.2;  // few hits bring more error than was wanted
+    constexpr double least = 0.2, most = 1.2;  // with few hits the error is larger than the limit
     const double wanted = candidate.value / 100 / goal.target;
     return wanted >= least && wanted <= most;
 }
@@ -76,8 +76,8 @@ std::vector<std::size_t> all_measurable(const State& state, std::uint64_t hits) 
     return chosen;
 }
 
-/// Whether an adaptive map with so many hits takes longer to trace than the choice takes in all: then nothing
-/// that is found of it saves time.
+/// Returns whether an adaptive map with so many hits takes longer to trace than the choice takes in all. If
+/// so, measuring it cannot save time.
 bool is_beaten(const State& state, const Candidate& candidate, std::uint64_t hits) {
     const Choice& choice = state.result.light_map.choice;
     if (!candidate.is_adaptive() || !choice.reached || state.goal.least_bytes) return false;
@@ -85,8 +85,9 @@ bool is_beaten(const State& state, const Candidate& candidate, std::uint64_t hit
     return cost.trace_seconds * static_cast<double>(hits) / cost.hits > choice.proposal.cost.seconds;
 }
 
-/// Of one kind, those of which nothing is known, and those that may be cheaper than the choice, or are the
-/// choice and not known well: the cheapest at their very best.
+/// Returns the candidates of one kind that are worth tracing. These are all whose model or cost is unknown,
+/// and of those that may be as cheap as the choice and are not settled, the ones that are cheapest in the
+/// best case.
 std::vector<std::size_t> rivals(const State& state, std::uint64_t hits, bool light_maps) {
     const FitResult& result = state.result;
     const double price = price_of(state, light_maps ? result.light_map : result.photon_map);
@@ -116,7 +117,7 @@ std::vector<std::size_t> to_trace(const State& state, std::uint64_t hits) {
     return chosen;
 }
 
-/// Whether knowing more could save little, or nothing can be saved.
+/// Returns whether more knowledge could save little or nothing.
 bool is_decided(const State& state, const Decision& decision, bool light_maps) {
     for (std::size_t i = 0; i < state.result.candidates.size(); ++i) {
         if (state.result.candidates[i].is_light_map() != light_maps || !state.result.estimates.model[i])
@@ -138,8 +139,8 @@ bool is_sure(const State& state) {
     return state.result.light_map.doubt.empty() && state.result.photon_map.doubt.empty();
 }
 
-/// Whether the next pilot would be large beside the runs that it is about, and no matter of a second or so.
-/// What is sure and only not the cheapest for certain is worth less.
+/// Returns whether the next pilot is too expensive: large beside the chosen runs, and longer than about a
+/// second. Less is spent when the choices are sure and only may not be the cheapest.
 bool is_too_dear(const State& state, std::uint64_t next_hits) {
     const auto hits_of = [&](const Decision& decision) {
         return decision.choice.reached ? decision.choice.proposal.hits : state.goal.max_hits;
@@ -157,7 +158,7 @@ Decision decided(const State& state, bool light_maps) {
     return decision;
 }
 
-/// Chooses anew from all samples. False where the pilot was too small for that.
+/// Chooses again from all samples. Returns false if the pilot was too small for that.
 bool choose_both(State& state, const StopRule& stop) {
     static const Halves none;
     FitResult& result = state.result;
@@ -175,14 +176,14 @@ bool choose_both(State& state, const StopRule& stop) {
     return true;
 }
 
-/// Half of what doubt there may be.
+/// Returns whether the noise of the paths uses up half of the doubt that is allowed.
 bool truth_is_noisy(const State& state) {
     return state.result.truth_samples > 0 && state.goal.z * state.result.estimates.truth_doubt >
                                                  most_doubt / 2 * state.goal.target * state.goal.target;
 }
 
-/// Chooses, with more paths where these are wanting: at most one level for each pilot. False where the pilot
-/// was too small to choose from.
+/// Chooses, and adds paths where their noise matters: at most one level for each pilot. Returns false if the
+/// pilot was too small to choose from.
 bool choose_by_paths(State& state, int most_level, const StopRule& stop) {
     if (!choose_both(state, stop)) return false;
     while (state.truth_level < most_level && truth_is_noisy(state) && is_open(state)) {
@@ -192,9 +193,9 @@ bool choose_by_paths(State& state, int most_level, const StopRule& stop) {
     return true;
 }
 
-/// Where blocks change with the hits, nothing says how many suffice but a run with so many, and those of the
-/// pilots are far apart. Tries fewer than the adaptive map that was chosen has, and fewer again, as long as
-/// it is cheaper.
+/// Tries the chosen adaptive map with fewer and fewer hits, as long as that is cheaper. Its blocks change
+/// with the hits, so that only a run tells whether so many suffice, and the sizes of the pilots are far
+/// apart.
 void look_for_fewer_hits(State& state, const StopRule& stop) {
     constexpr double share = 0.8;
     const Choice& choice = state.result.light_map.choice;
@@ -212,14 +213,14 @@ void look_for_fewer_hits(State& state, const StopRule& stop) {
     }
 }
 
-/// Of each half of the first of those pilots that grow to the largest.
+/// Returns the hits of each half of the first pilot, from which fourfold growth ends at the largest.
 std::uint64_t first_pilot_hits(std::uint64_t largest) {
     std::uint64_t hits = largest;
     for (int i = 0; i < most_growths && hits / growth >= fewest_pilot_hits; ++i) hits /= growth;
     return hits;
 }
 
-/// The pilots after the first, which has `hits` a half.
+/// Runs the pilots after the first one, which has `hits` per half.
 void grow_pilot(State& state, std::uint64_t hits, const SearchLimits& limits, const StopRule& stop) {
     bool known = !state.result.estimates.model.empty();
     for (int level = 1; !known || is_open(state); ++level) {

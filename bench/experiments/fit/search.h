@@ -1,4 +1,4 @@
-// Pilots that grow until it is clear what to choose.
+// Runs ever larger pilots until the choice is clear.
 #pragma once
 
 #include "bench/experiments/fit/choice.h"
@@ -6,22 +6,22 @@
 
 namespace bench::fit {
 
-/// Of each half of the first pilot: with less there are not two sizes of texels to compare.
+/// Hits of each half of the first pilot, at least. With fewer there are not two sizes of texels to compare.
 inline constexpr std::uint64_t fewest_pilot_hits = 25'000;
 
 struct SearchLimits {
     std::uint64_t pilot_hits = 0;                              ///< of each half of the last pilot, at most
-    double seconds = std::numeric_limits<double>::infinity();  ///< the first pilot is finished all the same
+    double seconds = std::numeric_limits<double>::infinity();  ///< the first pilot is always finished
 };
 
-/// One kind of map: the choice, and how sure it is.
+/// The choice of one kind of map, and how certain it is.
 struct Decision {
     Choice choice;
-    std::string doubt;                ///< empty where it is sure (doubts)
+    std::string doubt;                ///< the reason why it is not sure (doubts); empty where it is
     std::vector<Proposal> proposals;  ///< all that reach the target, the least cost first
 };
 
-/// All that a fit has found out.
+/// Everything that a fit has found.
 struct FitResult {
     std::vector<Candidate> candidates;
     Estimates estimates;
@@ -30,20 +30,21 @@ struct FitResult {
     std::vector<std::optional<PilotCost>> costs;  ///< in the candidates' order
     Decision light_map, photon_map;
     std::uint64_t pilot_hits = 0;     ///< of each half of the largest pilot that was traced
-    std::uint64_t truth_samples = 0;  ///< of each point and half
-    std::string lost_light;           ///< what no path finds; then photons stand in for the truth
-    double pilot_seconds = 0;         ///< wall time of all that no goal before had asked for
+    std::uint64_t truth_samples = 0;  ///< per point and half
+    std::string lost_light;           ///< light that no path finds; if any, photons replace the truth
+    double pilot_seconds = 0;         ///< wall time, without what an earlier goal had already traced
     std::string stopped;              ///< what ended the search before it was done; empty where it was
 };
 
-/// Begins with few hits and takes four times as many until both choices are sure and knowing more could save
-/// little, or the next pilot would cost more than a twentieth of the two chosen runs (what is out of reach
-/// counts as a run of max_hits); at most to the largest. Paths double until their noise is no part of the
-/// doubt. Candidates that cannot be chosen any more, or of which enough is known, are not traced again. Where
-/// time is the goal and an adaptive map was chosen, smaller pilots of it follow, as long as one is cheaper.
-/// Stopped by the user or by its time once the first pilot is there, it answers with what it knows. Throws
-/// Interrupted before that, and InputError where the camera sees nothing or it is dark there. The result is
-/// the same whatever the archive holds, but for times, which were measured once.
+/// Grows the pilot from few hits, fourfold each time. It ends when both choices are sure and more knowledge
+/// could save little, or when the next pilot would cost more than a twentieth of the two chosen runs. A
+/// target out of reach counts as a run of max_hits. The pilot never exceeds its largest size. Path samples
+/// double until their noise has no part in the doubt. Candidates that cannot be chosen any more, or are known
+/// well enough, are not traced again. If time is the goal and an adaptive map was chosen, smaller pilots of
+/// it follow as long as one is cheaper.
+/// If the user or the time limit stops it after the first pilot, it returns what is known. Throws Interrupted
+/// before that, and InputError where the camera sees nothing or only darkness. The result does not depend on
+/// what the archive holds, except for times, which are measured once.
 [[nodiscard]] FitResult search(PilotArchive& archive, const FitGoal& goal, const SearchLimits& limits);
 
 }  // namespace bench::fit

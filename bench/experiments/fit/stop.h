@@ -1,4 +1,4 @@
-// When a fit gives up what it is at: where the user has ended it, or its time is over.
+// Says when a fit must stop: the user has interrupted it, or its time is over.
 #pragma once
 
 #include <limits>
@@ -9,7 +9,7 @@
 
 namespace bench::fit {
 
-/// The search ends here, with what it knows.
+/// Ends the search, which then returns what it knows.
 class Stopped : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -17,7 +17,7 @@ class Stopped : public std::runtime_error {
 
 class StopRule {
   public:
-    /// Counts from now.
+    /// Starts the clock.
     explicit StopRule(double seconds = std::numeric_limits<double>::infinity()) : seconds_(seconds) {}
 
     [[nodiscard]] bool over() const { return common::interrupted() || clock_.seconds() > seconds_; }

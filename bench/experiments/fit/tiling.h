@@ -1,4 +1,4 @@
-// The parts of the image by whose sums one knows how much the whole varies.
+// Tiles of the image, whose sums tell the variance of the sum over the whole image.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,11 @@ struct Tiling {
 
 [[nodiscard]] double sum_of_squares(std::span<const double> values);
 
-/// Variance of the sum of all tiles' values, each of which is zero in the mean: the sum of their squares
-/// where they are independent. Coarse maps have noise that tiles share, which shows when tiles are joined:
-/// the largest by single tiles, 2 x 2 and 4 x 4 of them. Of independent ones that is a little too much: of 16
-/// x 9 normal ones 1.2 times the variance in the mean.
+/// Estimates the variance of the sum of all tiles' values, each of which has expectation zero. For
+/// independent tiles it is the sum of their squares. The noise of coarse maps is correlated between tiles,
+/// which shows when tiles are joined. So this is the largest of the estimates by single tiles, by 2 x 2 and
+/// by 4 x 4 of them. For independent tiles it is slightly too large: 1.2 times the variance on average for 16
+/// x 9 normal variables.
 [[nodiscard]] double variance_of_sum(std::span<const double> values, const Tiling& tiling);
 
 }  // namespace bench::fit

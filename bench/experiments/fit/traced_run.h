@@ -1,4 +1,4 @@
-// A run of a fit's own: shows how far it is, and ends where it is to stop.
+// A run that belongs to a fit: it shows its progress and obeys the stop rule.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace bench::fit {
 
-/// Throws Stopped.
+/// Traces `target` into `stores`. Throws Stopped.
 [[nodiscard]] common::TraceReport traced_run(const std::string& title, const LoadedScene& scene,
                                              const common::PhotonSource& source, std::uint64_t seed,
                                              const common::TraceTarget& target, std::span<FilledStore> stores,

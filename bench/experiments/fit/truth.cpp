@@ -12,9 +12,10 @@ namespace {
 namespace reference = common::reference;
 using common::Rgb;
 
-/// Passes of each tile, `mean` of them for a point in the mean and at least one, so that the noise of the
-/// mean product of two halves is least: in proportion to the 2/3 power of a tile's variance. That is known
-/// from what was traced before, and what is traced now knows nothing of it, so that it stays without bias.
+/// Distributes passes over the tiles: at least one each, and `mean` per point on average. They are
+/// proportional to the 2/3 power of a tile's variance, which minimises the noise of the mean product of two
+/// halves. The variance comes from earlier samples. New samples are independent of these, so the estimate
+/// stays unbiased.
 std::vector<std::uint64_t> shared_out(std::uint64_t mean, const Halves& before, const FitPoints& points) {
     const Measure measure(mean_of(before), points.tile, points.tiling);
     std::vector<double> variance(points.tiling.count()), count(points.tiling.count());
@@ -58,11 +59,11 @@ const Halves& PathTruth::at(int level, const StopRule& stop) {
     return level_[static_cast<std::size_t>(level)];
 }
 
-/// As many samples again as there were, in noisy tiles more than in others. Old and new count alike
-/// everywhere: to count them by their numbers would give less to the old ones just where these are too bright
-/// by chance.
+/// Doubles the samples, with more of the new ones in noisy tiles. Old and new means have equal weight
+/// everywhere. Weights by their numbers of samples would be smaller for old means just where these are too
+/// bright by chance.
 Halves PathTruth::next_level(const StopRule& stop) const {
-    // Far from what anybody gives as --seed: the numbers of a path belong to its seed, pixel and pass.
+    // Unlike any likely --seed: the random numbers of a path are determined by seed, pixel and pass.
     constexpr std::uint64_t of_a = 0x7061'7468'2061'0000, of_b = 0x7061'7468'2062'0000;
     const std::uint64_t of_level = std::uint64_t{level_.size()} << 32;
     std::vector<std::uint64_t> passes(points_.tiling.count(), 1);

@@ -1,4 +1,4 @@
-// The light at the points as paths find it: what every candidate's bias is measured against.
+// The irradiance at the points by path tracing, against which every candidate's bias is measured.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,25 @@
 
 namespace bench::fit {
 
-/// Two independent estimates of the irradiance at each point by path tracing, W/m^2. They have no bias: no
-/// radius, texel or basis, so no kind of map is measured by the faults of another. They are noisy, which
-/// costs nothing but certainty, as nothing in one half knows of the other, of any photon or of a reference
-/// that was made with the same seed.
+/// Two independent estimates of the irradiance at each point by path tracing, W/m^2. They are unbiased: as
+/// they have no radius, texel or basis, no kind of map is judged by the errors of another. Their noise adds
+/// only variance, since each half is independent of the other, of all photons, and of a reference made with
+/// the same seed.
 class PathTruth {
   public:
-    /// All must outlive it.
+    /// Keeps references to all arguments, which must outlive it.
     PathTruth(const LoadedScene& loaded, const common::PhotonSource& source, const FitPoints& points,
               std::uint64_t seed);
 
-    /// What no path finds, in words (common::reference::paths_not_found): then it is no truth.
+    /// Names the light that no path finds (common::reference::paths_not_found). If there is any, this is no
+    /// truth.
     [[nodiscard]] const std::string& lost_light() const { return lost_light_; }
 
-    /// Samples of each half, in the mean over the points.
+    /// Returns the samples of each half, averaged over the points.
     [[nodiscard]] static std::uint64_t samples_of(int level);
 
-    /// Level 0 has 64 samples, each other one twice as many as the one before. Traces what is not there yet.
-    /// Throws Stopped.
+    /// Returns the estimates of a level, tracing those levels that are missing. Level 0 has 64 samples, and
+    /// each further level has twice as many as the one before. Throws Stopped.
     [[nodiscard]] const Halves& at(int level, const StopRule& stop);
 
   private:

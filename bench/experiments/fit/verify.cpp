@@ -37,7 +37,7 @@ std::vector<VerifiedRun> verify(const Candidate& candidate, std::uint64_t hits, 
     try {
         for (std::size_t i = 1; i <= seeds; ++i)
             runs.push_back(run_once(contender, hits, pilot_seed + i, scene, StopRule()));
-    } catch (const Stopped&) {  // by the user: what is there is kept
+    } catch (const Stopped&) {  // by the user: the finished runs are kept
     }
     return runs;
 }

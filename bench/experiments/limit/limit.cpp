@@ -1,4 +1,4 @@
-// shlmbench limit: how near tracing comes to what Embree alone does with the same rays.
+// shlmbench limit: compares tracing with Embree alone on the same rays.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,13 +31,13 @@ struct LimitOptions {
     bool json = false;
 };
 
-/// A request, checked.
+/// The checked options.
 struct LimitPlan {
     const LimitOptions& options;
     Contender light_map, photon_map;
     ContenderSettings settings;
     std::uint64_t hits;
-    std::size_t max_ray_bytes;  ///< for the rays as they are recorded and sorted
+    std::size_t max_ray_bytes;  ///< limit for the rays while they are recorded and sorted
 };
 
 LimitPlan make_plan(const LimitOptions& options) {
@@ -96,7 +96,7 @@ void run(const LimitOptions& options) {
         const common::PhotonSource source(loaded.rays);
         PreparedScene prepared(loaded, plan.settings);
         for (const Contender& contender : {plan.light_map, plan.photon_map})
-            (void)contender->prepare(prepared);  // no clock must see this
+            (void)contender->prepare(prepared);  // outside the timed parts
         print_scene_warnings(loaded);
         print_light_warnings(loaded, source);
         print_lightmap_warnings(loaded, prepared);

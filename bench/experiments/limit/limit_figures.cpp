@@ -19,7 +19,8 @@ const std::vector<double>& of(LimitPart part, const LimitSeconds& seconds) {
     return seconds[static_cast<std::size_t>(part)];
 }
 
-/// All parts have the same rays, so that their rates are to each other as their times are, turned round.
+/// Returns the rate of a part over that of single rays. All parts have the same rays, so this is the inverse
+/// ratio of the times.
 PairedRatio rate_to_single(std::size_t part, const LimitSeconds& seconds) {
     return paired_ratio(of(LimitPart::single, seconds), seconds[part]);
 }
@@ -33,7 +34,7 @@ void add(Json& all, const std::string& name, const PairedRatio& ratio) {
     all[name + "_range"] = {ratio.smallest, ratio.largest};
 }
 
-/// 0.93 (0.91 to 0.95)
+/// Formats as 0.93 (0.91 to 0.95).
 std::string text_of(const PairedRatio& ratio) {
     return fmt::format("{:.3f} ({:.3f} to {:.3f})", ratio.median, ratio.smallest, ratio.largest);
 }
@@ -79,7 +80,7 @@ Json limit_as_json(const LimitSubject& subject, const LimitSeconds& seconds, int
                 {"hits", subject.run.report.hits},
                 {"photons", subject.run.report.fates.emitted},
                 {"rays", subject.run.rays},
-                {"differing_rays", 0}};  // else there would be no figures
+                {"differing_rays", 0}};  // guaranteed by check_answers
     for (std::size_t part = 1; part < seconds.size(); ++part)
         add(all, fmt::format("{}_ratio", limit_part_names[part]), rate_to_single(part, seconds));
     for (const LimitPart part : {LimitPart::shlm, LimitPart::photonmap})

@@ -1,4 +1,4 @@
-// From the times of the parts to what the command says.
+// Computes the command's figures from the times of the parts.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,21 +8,21 @@
 
 namespace bench::limit {
 
-/// Over the repetitions.
+/// A ratio over the repetitions.
 struct PairedRatio {
     double median, smallest, largest;
 };
 
-/// Seconds of `a` over seconds of `b`, each repetition's own, which has seen the same state of the machine.
-/// An odd number of repetitions.
+/// Returns the seconds of `a` over the seconds of `b`. Ratios are taken within each repetition, which sees
+/// one state of the machine. The number of repetitions must be odd.
 [[nodiscard]] PairedRatio paired_ratio(const std::vector<double>& a, const std::vector<double>& b);
 
-/// What was run, NAME_ratio and NAME_ratio_range of every part's rays per second to those of single rays,
-/// NAME_over_null of the times, rays_per_second, the seconds themselves and where they come from.
+/// Returns the subject; for every part, NAME_ratio and NAME_ratio_range of its rays per second over those of
+/// single rays; NAME_over_null of the times; rays_per_second; the seconds themselves, and their provenance.
 [[nodiscard]] nlohmann::ordered_json limit_as_json(const LimitSubject& subject, const LimitSeconds& seconds,
                                                    int threads);
 
-/// For people.
+/// Formats the figures for a terminal.
 [[nodiscard]] std::string limit_as_text(const LimitSubject& subject, const LimitSeconds& seconds,
                                         int threads);
 

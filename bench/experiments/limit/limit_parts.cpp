@@ -12,7 +12,7 @@
 namespace bench::limit {
 namespace {
 
-/// The recorded photons, to be traced again.
+/// Returns the run that traces the recorded photons again.
 TracedRun run_of(const LimitSubject& subject) {
     return {subject.loaded.rays,
             subject.source,

@@ -17,7 +17,7 @@ using common::Vec3;
 
 constexpr std::size_t bytes_per_ray = 6 * sizeof(float);
 
-/// One photon, from its light to its end.
+/// Follows one photon from its light to its end.
 PhotonFate follow(const common::RayScene& rays, const common::PhotonSource& source, std::uint64_t seed,
                   std::uint64_t photon, RecordedRun& run) {
     const common::EmittedPhoton emitted = source.emit(seed, photon);

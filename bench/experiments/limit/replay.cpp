@@ -14,8 +14,8 @@ namespace {
 using common::NearestSurfaces;
 using common::SurfaceId;
 
-/// Calls `work` with every block and the calling thread's place for what the rays find. Leaves the rest out
-/// once the user wants to end.
+/// Calls `work` with every block and the calling thread's buffer for the results. Skips the remaining blocks
+/// once the user interrupts.
 template <class Work>
 void for_each_block(std::span<const RayBlock> blocks, const Work& work) {
     tbb::enumerable_thread_specific<NearestSurfaces> found;
@@ -32,7 +32,7 @@ SurfaceId nearest_alone(const common::RayScene& rays, const RayBlock& block, std
     return rays.nearest(block.origin[i], block.direction[i]).value_or(common::no_surface);
 }
 
-/// Where nothing is found, u and v mean nothing.
+/// Compares bit by bit; where nothing is found, u and v are undefined.
 bool same(const SurfaceId& a, const SurfaceId& b) {
     const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
     return a.triangle == b.triangle &&

@@ -1,4 +1,4 @@
-// Recorded hits into the texels of a light map. Items: hits.
+// Adds recorded hits to the texels of a light map. Items: hits.
 #include <benchmark/benchmark.h>
 
 #include "bench/experiments/micro/subjects.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t hits = 1'000'000;
 
-/// Into the same sums again and again: they do not grow, and filling them once more costs the same.
+/// Adds to the same sums repeatedly: they do not grow, so each round costs the same.
 void accumulate(benchmark::State& state, SharedInputs& inputs, std::size_t texels, int threads) {
     const Recording& recording = inputs.recording(hits);
     const std::unique_ptr<Store> store = inputs.store("shlm", texels);

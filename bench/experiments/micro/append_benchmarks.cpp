@@ -1,4 +1,4 @@
-// Recorded hits into an empty photon map. Items: hits.
+// Adds recorded hits to an empty photon map. Items: hits.
 #include <benchmark/benchmark.h>
 
 #include "bench/experiments/micro/subjects.h"
@@ -7,7 +7,7 @@
 namespace bench::micro {
 namespace {
 
-/// Begins with fresh memory each time, as a run does; giving it back is not timed.
+/// Begins with fresh memory each time, as a run does. Freeing it is not timed.
 void append(benchmark::State& state, SharedInputs& inputs, const std::string& contender, std::uint64_t hits,
             int threads) {
     const Recording& recording = inputs.recording(hits);
@@ -41,7 +41,7 @@ void register_append(SharedInputs& inputs, const char* name, const char* contend
 void register_append_benchmarks(SharedInputs& inputs) {
     register_append(inputs, "photonmap", "photonmap/flann", {1, 2});
     register_append(inputs, "photonmap-compact", "photonmap/compact", {1, 2});
-    // FLANN inserts on one thread.
+    // FLANN inserts on one thread only.
     register_append(inputs, "photonmap-flann-incremental", "photonmap/flann-incremental", {1});
 }
 

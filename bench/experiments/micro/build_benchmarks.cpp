@@ -1,4 +1,4 @@
-// From what tracing has stored to what a gather needs.
+// Builds what a gather needs from what tracing has stored.
 #include <benchmark/benchmark.h>
 
 #include "bench/contenders/photon_map.h"
@@ -9,7 +9,7 @@
 namespace bench::micro {
 namespace {
 
-/// Sorting recorded photons and the index over them. Items: hits.
+/// Sorts recorded photons and builds the index over them. Items: hits.
 void build_photon_map(benchmark::State& state, SharedInputs& inputs, const std::string& contender,
                       std::uint64_t hits, int threads) {
     common::ThreadPool pool(threads);
@@ -28,8 +28,8 @@ void build_photon_map(benchmark::State& state, SharedInputs& inputs, const std::
                             static_cast<std::int64_t>(inputs.recording(hits).report.hits));
 }
 
-/// FLANN's own index alone, over photons in the order of tracing: the usual way to use it, without the
-/// sorting that makes both its build and its search faster. Items: hits.
+/// Builds FLANN's own index over photons in the order of tracing. This is the usual way to use it, without
+/// the sorting that makes its build and its search faster. Items: hits.
 void build_flann_unsorted(benchmark::State& state, SharedInputs& inputs, std::uint64_t hits) {
     std::vector<common::Vec3> positions;
     for (const auto& wave : inputs.recording(hits).waves)
@@ -42,7 +42,7 @@ void build_flann_unsorted(benchmark::State& state, SharedInputs& inputs, std::ui
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(positions.size()));
 }
 
-/// The finished light map from its sums. Items: texels.
+/// Builds the finished light map from its sums. Items: texels.
 void build_light_map(benchmark::State& state, SharedInputs& inputs, std::size_t texels) {
     constexpr std::uint64_t hits = 100'000;
     const Contender named = parse_contender("micro", "shlm");

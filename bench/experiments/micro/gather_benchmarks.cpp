@@ -1,5 +1,5 @@
-// Irradiance from finished maps at the points that the camera sees, on one thread where no number of threads
-// is named. Items: points.
+// Evaluates finished maps at the points that the camera sees, on one thread unless the name says otherwise.
+// Items: points.
 #include <benchmark/benchmark.h>
 #include <oneapi/tbb/parallel_reduce.h>
 
@@ -29,7 +29,7 @@ double mean_irradiance(const Answers& map, std::span<const common::SurfacePoint>
     return sum_of_irradiance(map, points) / (3.0 * static_cast<double>(points.size()));
 }
 
-/// A value that is made when first asked for: the maps take long to make, and most of them nobody asks for.
+/// A value that is made when first needed: maps take long to make, and most of them are not used.
 template <class Make>
 class Lazy {
   public:
@@ -49,7 +49,8 @@ auto lazy(Make make) {
     return std::make_shared<Lazy<Make>>(std::move(make));
 }
 
-/// A map that is fast and wrong is not worth timing: its mean must be within 5 % of the `expected` one.
+/// Times gathers. The mean must be within 5 % of the `expected` one, as a fast but wrong map is not worth
+/// timing.
 void gather(benchmark::State& state, const Answers& map, std::span<const common::SurfacePoint> points,
             double expected) {
     const double mean = mean_irradiance(map, points);
@@ -65,7 +66,7 @@ void gather(benchmark::State& state, const Answers& map, std::span<const common:
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }
 
-/// The same in parallel, in pieces of 64 points.
+/// Times the same in parallel, in pieces of 64 points.
 void gather_in_parallel(benchmark::State& state, const Answers& map,
                         std::span<const common::SurfacePoint> points, int threads) {
     common::ThreadPool pool(threads);
@@ -94,7 +95,7 @@ void register_gather_in_parallel(SharedInputs& inputs, const std::string& name, 
             ->UseRealTime();
 }
 
-/// `map` and `expected` are lazy.
+/// Registers both orders; `map` and `expected` are lazy.
 template <class Map, class Expected>
 void register_gather(SharedInputs& inputs, const std::string& name, Map map, Expected expected) {
     const QueryPoints& queries = inputs.queries();
@@ -135,7 +136,7 @@ void register_gather_benchmarks(SharedInputs& inputs) {
             inputs, fmt::format("gather/photonmap-{}{}{}/hits:{}", engine, said ? "-" : "", gather, hits),
             photon_map(fmt::format("photonmap/{}{}{}", engine, said ? "/" : "", gather), hits), of_light_map);
     };
-    // With fewer hits the photon map darkens edges by more than the 5 %.
+    // With fewer hits the photon map darkens edges by more than 5 %.
     for (const char* engine : {"flann", "compact"}) register_photon_map(engine, "", 100'000);
     for (const std::uint64_t hits : {default_hits, 4 * default_hits}) {
         for (const auto& [place, engine] : photon_map_engines())
@@ -146,7 +147,7 @@ void register_gather_benchmarks(SharedInputs& inputs) {
                                 photon_map("photonmap/compact", default_hits));
     register_gather_in_parallel(inputs, fmt::format("gather/shlm/texels:{}", default_texels),
                                 light_map(default_texels));
-    // The same run again and again: a billion hits in half a minute.
+    // The same run is added repeatedly: a billion hits in half a minute.
     for (const auto& [hits, times] : {std::pair(100'000ul, 1), std::pair(default_hits, 1000)})
         register_gather(inputs, fmt::format("gather/shlm/hits:{}", hits * static_cast<std::uint64_t>(times)),
                         light_map(default_texels, hits, times), of_photon_map);

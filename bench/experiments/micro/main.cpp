@@ -1,4 +1,4 @@
-// shlmbench_micro: the steps of both methods, each on its own, under Google Benchmark.
+// shlmbench_micro: times the steps of both methods separately with Google Benchmark.
 #include <benchmark/benchmark.h>
 
 #include <nlohmann/json.hpp>

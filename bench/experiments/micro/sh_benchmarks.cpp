@@ -1,4 +1,4 @@
-// The harmonics alone: nine values of a direction, and irradiance from the coefficients of a texel.
+// Times the harmonics alone: nine values of a direction, and irradiance from the coefficients of a texel.
 #include <benchmark/benchmark.h>
 
 #include "bench/experiments/micro/subjects.h"
@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint64_t hits = 10'000;
 constexpr std::size_t texels = 16'384;
 
-/// Items: directions of recorded hits.
+/// Evaluates the directions of recorded hits. Items: directions.
 void evaluate(benchmark::State& state, SharedInputs& inputs) {
     const common::HitBatch& batch = inputs.recording(hits).waves.back().back();
     for (auto _ : state)
@@ -21,7 +21,7 @@ void evaluate(benchmark::State& state, SharedInputs& inputs) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(batch.size()));
 }
 
-/// Items: texels of a finished map, each asked for its own normal.
+/// Evaluates each texel of a finished map at its own normal. Items: texels.
 void irradiance(benchmark::State& state, SharedInputs& inputs) {
     shlm::Sink<shlm::PaperModel> sink(inputs.prepared(texels).texels(), shlm::NearestTexels{},
                                       shlm::Quantum(inputs.source().power()));

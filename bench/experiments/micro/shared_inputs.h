@@ -1,4 +1,4 @@
-// What the benchmarks work on: one scene, its recorded hits, and the points that its camera sees.
+// Inputs of the benchmarks: one scene, its recorded hits, and the points that its camera sees.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,14 +16,14 @@ namespace bench::micro {
 
 inline constexpr std::uint64_t micro_seed = 1;
 
-/// The hits of a whole run, cut into waves as the tracer gave them.
+/// The hits of a whole run, in waves as the tracer delivered them.
 struct Recording {
     std::vector<std::vector<common::HitBatch>> waves;
     common::TraceReport report;
 };
 
-/// Everything is made when first asked for and then kept: Google Benchmark calls a benchmark several times to
-/// find out how often to repeat it, and none of that belongs under its clock.
+/// Makes everything when it is first needed and keeps it. Google Benchmark calls a benchmark several times to
+/// find out how often to repeat it, and none of this must be timed.
 class SharedInputs {
   public:
     /// Throws InputError for a scene that cannot be read, has no light, or shows its camera no diffuse
@@ -34,13 +34,13 @@ class SharedInputs {
     [[nodiscard]] const common::PhotonSource& source() const { return source_; }
     [[nodiscard]] const QueryPoints& queries() const { return queries_; }
 
-    /// A run of at least this many hits.
+    /// Returns a run of at least this many hits.
     [[nodiscard]] const Recording& recording(std::uint64_t hits);
 
-    /// With the command's own settings but for the number of texels.
+    /// Returns the scene with the command's settings, except for the number of texels.
     [[nodiscard]] PreparedScene& prepared(std::size_t texels = shlm::default_texels);
 
-    /// Empty.
+    /// Makes an empty store.
     [[nodiscard]] std::unique_ptr<Store> store(const std::string& contender,
                                                std::size_t texels = shlm::default_texels);
 
@@ -52,12 +52,12 @@ class SharedInputs {
     std::map<std::size_t, PreparedScene> prepared_;
 };
 
-/// Gives the store a recorded run.
+/// Adds a recorded run to the store.
 inline void replay(const Recording& recording, Store& store) {
     for (const auto& wave : recording.waves) store.consume(wave);
 }
 
-/// The map of a contender after `times` times a recorded run.
+/// Returns the map of a contender after a recorded run was added `times` times.
 [[nodiscard]] std::unique_ptr<const Answers> map_of(SharedInputs& inputs, const std::string& contender,
                                                     std::size_t texels, std::uint64_t hits, int times = 1);
 

@@ -1,4 +1,4 @@
-// One texel's sums in the number formats that were candidates, adds alone. Items: adds.
+// Times adds to texels' sums in each candidate number format. Items: adds.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -21,7 +21,7 @@ struct Add {
     common::Rgb flux;
 };
 
-/// Uniform light on random texels.
+/// Returns uniform light on random texels.
 const std::vector<Add>& random_adds(std::size_t texels) {
     static std::map<std::size_t, std::vector<Add>> made;
     std::vector<Add>& adds = made[texels];
@@ -51,7 +51,7 @@ template <class Sums>
 void sums(benchmark::State& state, std::size_t texels) {
     const std::vector<Add>& adds = random_adds(texels);
     Sums sums(texels, shlm::Quantum(common::Rgb(1, 1, 1)));
-    add_all(sums, adds);  // the pages' first touch is not the adds'
+    add_all(sums, adds);  // touch the pages outside the timed loop
     for (auto _ : state) add_all(sums, adds);
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(adds.size()));
     state.counters["bytes_per_texel"] = static_cast<double>(Sums::bytes_per_texel());

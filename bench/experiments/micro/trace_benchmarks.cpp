@@ -1,4 +1,4 @@
-// Tracing without a store, and into a light map. Items: hits.
+// Times tracing without a store, and into a light map. Items: hits.
 #include <benchmark/benchmark.h>
 
 #include "bench/experiments/micro/subjects.h"
@@ -7,7 +7,7 @@
 namespace bench::micro {
 namespace {
 
-/// `trace` gives a report of a run.
+/// Times `trace`, which returns the report of a run.
 template <class Trace>
 void measure(benchmark::State& state, const SharedInputs& inputs, std::uint64_t hits, int threads,
              const Trace& trace) {

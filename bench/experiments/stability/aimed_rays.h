@@ -1,4 +1,4 @@
-// Rays aimed at where triangles meet.
+// Rays aimed at vertices and edges of triangles.
 #pragma once
 
 #include "bench/experiments/stability/known_light.h"
@@ -8,12 +8,12 @@ namespace bench::stability {
 
 enum class Aim { vertices, edges, anywhere };
 
-/// Rays from inside a closed scene.
+/// Rays that start inside a closed scene.
 struct AimedRays {
     common::Vec3Array origin, direction;
 };
 
-/// A random point of a random triangle.
+/// Returns a random point of a random triangle.
 [[nodiscard]] inline common::Vec3 somewhere_on(const common::Scene& scene, Generator& generator) {
     const auto [a, b, c] = scene.triangle[generator() % scene.triangle.size()];
     const float u1 = uniform(generator), u2 = uniform(generator);
@@ -21,8 +21,8 @@ struct AimedRays {
     return common::interpolate(scene.position[a], scene.position[b], scene.position[c], uv.x, uv.y);
 }
 
-/// For a convex scene around the world's origin: from the inner tenth of it, each at a vertex, a point of an
-/// edge, or a place of a triangle, as nearly as a direction in floats does it.
+/// Makes rays for a convex scene around the origin. Each starts in the inner tenth of the scene and is aimed
+/// at a vertex, a point of an edge, or a point of a triangle, as precisely as a direction in floats allows.
 [[nodiscard]] inline AimedRays aimed_rays(const common::Scene& scene, Aim aim, std::size_t count,
                                           Generator& generator) {
     AimedRays rays;
@@ -44,7 +44,7 @@ struct AimedRays {
     return rays;
 }
 
-/// Part of the rays that meet nothing, one by one.
+/// Returns the fraction of the rays that hit nothing when traced one by one.
 template <class Nearest>
 [[nodiscard]] double escaped_singly(const AimedRays& rays, Nearest nearest) {
     std::size_t escaped = 0;
@@ -53,7 +53,7 @@ template <class Nearest>
     return static_cast<double>(escaped) / static_cast<double>(rays.origin.x.size());
 }
 
-/// The same as the tracer casts them, in packets.
+/// Returns the same for rays traced in packets, as the tracer does.
 [[nodiscard]] inline double escaped_in_packets(const AimedRays& rays, const common::RayScene& scene) {
     common::NearestSurfaces found;
     scene.nearest(rays.origin, rays.direction, found);

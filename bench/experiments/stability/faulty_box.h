@@ -1,12 +1,12 @@
-// A traced box with walls that a light map cannot store.
+// A box with walls that a light map cannot store.
 #pragma once
 
 #include "bench/experiments/stability/known_light.h"
 
 namespace bench::stability {
 
-/// A closed box with a light in its middle, so that a sixth of all hits of any order is on each wall. So many
-/// of the walls have no lightmap coordinates, and so many others show their backs.
+/// A closed box with a light in its middle, so that each wall gets a sixth of all hits of any order. `faulty`
+/// walls have no lightmap coordinates, and as many others show their backs.
 struct FaultyBox {
     common::Scene scene;
     shlm::PreparedTexels texels, by_face;

@@ -1,4 +1,4 @@
-// What a float makes of a long sum.
+// Predicts the rounding of a long sum in a float.
 #pragma once
 
 #include <algorithm>
@@ -6,9 +6,10 @@
 
 namespace bench::stability {
 
-/// A float's sum of `count` times `value`, each added to what is there. Between two powers of two floats are
-/// one step apart, and an add moves the sum by `value` rounded to whole steps, a half to even ones: by more
-/// or less than `value`, and by nothing once a step is twice as long. Right to a step for each octave.
+/// Predicts the float sum of `count` values, each added to the sum so far. Between two powers of two, floats
+/// are one step apart. An add changes the sum by `value` rounded to whole steps, ties to even. So it adds
+/// more or less than `value`, and nothing once a step is over twice as long. The result is exact to one step
+/// per octave.
 [[nodiscard]] inline double float_sum_of_equal_adds(float value, double count) {
     double sum = value, left = count - 1;
     while (left > 0) {
@@ -22,8 +23,8 @@ namespace bench::stability {
     return sum;
 }
 
-/// How far off that may be of itself: a step, 2^-23, in each of the last few octaves, which add up as 1 + 1/2
-/// + 1/4...
+/// Error bound of float_sum_of_equal_adds, relative: a step of 2^-23 in each of the last octaves, which add
+/// up as 1 + 1/2 + 1/4...
 inline constexpr double allowed_of_float_sum = 0x1p-22;
 
 }  // namespace bench::stability

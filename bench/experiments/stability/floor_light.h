@@ -1,24 +1,25 @@
-// Light on parts of a flat floor, and places across it.
+// Light on parts of a flat floor, and points on it.
 #pragma once
 
 #include "bench/experiments/stability/known_light.h"
 
 namespace bench::stability {
 
-/// At z = 0 around the origin, one quad (scene_builder.h) that faces up, u along x and v along y.
+/// Makes one quad (scene_builder.h) at z = 0, centred on the origin and facing up, with u along x and v along
+/// y.
 [[nodiscard]] common::Scene square_floor(double width);
 
-/// Where (x, y) is on that floor.
+/// Returns the surface coordinates of (x, y) on that floor.
 [[nodiscard]] common::SurfaceId on_floor(double width, double x, double y);
 
-/// The same place as it is seen from above.
+/// Returns the same point, seen from above.
 [[nodiscard]] common::SurfacePoint floor_point(const common::Scene& floor, double width, double x, double y);
 
-/// 64 points of a quad at `s` along its u, evenly spaced along v and away from its ends.
+/// Returns 64 points of a quad at `s` along its u, evenly spaced along v and away from its ends.
 [[nodiscard]] std::vector<common::SurfacePoint> points_across(const common::Scene& scene,
                                                               std::uint32_t first_triangle, double s);
 
-/// The photons that arrive where `is_lit(position)`; the others were stopped on their way.
+/// Returns the photons that arrive where `is_lit(position)`; the others are taken as blocked.
 template <class IsLit>
 [[nodiscard]] common::HitBatch lit_where(const common::HitBatch& hits, IsLit is_lit) {
     common::HitBatch lit;

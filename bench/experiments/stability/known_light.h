@@ -1,4 +1,4 @@
-// Light that is known without a tracer: photons put on surfaces by hand, and the maps that they fill.
+// Known light without a tracer: photons that are placed on surfaces by hand, and the maps that they fill.
 #pragma once
 
 #include <random>
@@ -9,23 +9,24 @@
 
 namespace bench::stability {
 
-/// What a traditional light map stores: the surface's irradiance alone, without error of a series.
+/// The model of a traditional light map: the surface's irradiance alone, without the truncation of a series.
 using FlatModel = shlm::TexelModel<0, shlm::ShWeight::normalised>;
 
 template <int Order>
 using HarmonicModel = shlm::TexelModel<Order, shlm::ShWeight::radiance>;
 
-/// For each seed its own; what is drawn in one order is the same everywhere.
+/// Seeded once per seed. What is drawn in the same order is the same on every machine.
 using Generator = std::mt19937_64;
 
-/// In [0, 1), of 24 bits: the standard's distributions differ between libraries.
+/// Returns a uniform number in [0, 1) of 24 bits. Distributions of the standard library differ between
+/// libraries.
 [[nodiscard]] inline float uniform(Generator& generator) {
     return static_cast<float>(generator() >> 40) * 0x1p-24f;
 }
 
-/// Adds `count` photons that fall on the quad (scene_builder.h) whose first triangle is `first_triangle`,
-/// uniform and independent, and together irradiate it with 1 W/m^2, if the map's watts_per_flux is 1.
-/// `direction(generator)` is the way that each travels, unit.
+/// Adds `count` photons on the quad (scene_builder.h) whose first triangle is `first_triangle`. They are
+/// uniform and independent, and together give it 1 W/m^2 if the map's watts_per_flux is 1.
+/// `direction(generator)` is the unit direction of travel of a photon.
 template <class Direction>
 void irradiate_quad(common::HitBatch& hits, const common::Scene& scene, std::uint32_t first_triangle,
                     std::size_t count, Generator& generator, Direction direction) {
@@ -41,12 +42,12 @@ void irradiate_quad(common::HitBatch& hits, const common::Scene& scene, std::uin
     }
 }
 
-/// All the same way.
+/// Returns a direction function that is constant.
 [[nodiscard]] inline auto always(const common::Vec3& direction) {
     return [direction](Generator&) { return direction; };
 }
 
-/// As from a uniform hemisphere above a surface with this unit normal.
+/// Returns a direction function for a uniform hemisphere above a surface with this unit normal.
 [[nodiscard]] inline auto diffusely_onto(const common::Vec3& normal) {
     return [frame = common::Frame(normal)](Generator& generator) {
         const float u1 = uniform(generator), u2 = uniform(generator);
@@ -54,7 +55,7 @@ void irradiate_quad(common::HitBatch& hits, const common::Scene& scene, std::uin
     };
 }
 
-/// The finished map of a sink that takes these hits; their flux is in W.
+/// Returns the finished map of a sink that takes these hits, with flux in W.
 template <common::MapSink Sink>
 [[nodiscard]] auto map_of(Sink sink, const common::HitBatch& hits) {
     sink.consume(std::span(&hits, 1));
@@ -65,25 +66,25 @@ template <common::MapSink Sink>
                                                             const common::HitBatch& hits,
                                                             const photonmap::GatherSettings& gather);
 
-/// All photons within `radius`, world units.
+/// Returns settings for all photons within `radius`, scene units.
 [[nodiscard]] photonmap::GatherSettings within(const common::Scene& scene, double radius);
 
-/// The k nearest photons within `max_radius`, world units.
+/// Returns settings for the k nearest photons within `max_radius`, scene units.
 [[nodiscard]] photonmap::GatherSettings nearest(std::size_t k, double max_radius);
 
 [[nodiscard]] shlm::PreparedTexels texels_of(const common::Scene& scene, std::size_t texels);
 
-/// Units for hits whose brightest has all the light.
+/// Returns the quantum for these hits, as if the brightest carried all the light.
 [[nodiscard]] shlm::Quantum quantum_of(const common::HitBatch& hits);
 
-/// `texels` must outlive the map. Each texel shows its own light, whatever few hits it has, unless
-/// `least_hits` says otherwise. Made in known_light.cpp, once for each model that is named there.
+/// Builds a light map of the hits. `texels` must outlive it. Each texel shows its own hits, however few,
+/// unless `least_hits` is larger. Instantiated in known_light.cpp for each model that is named there.
 template <class Model = shlm::PaperModel>
 [[nodiscard]] shlm::HarmonicMap<Model> light_map_of(const shlm::PreparedTexels& texels,
                                                     const common::HitBatch& hits, const shlm::Gather& gather,
                                                     std::uint64_t least_hits = 0);
 
-/// Mean over the channels and the points.
+/// Returns the mean over channels and points.
 template <common::IrradianceEstimator Map>
 [[nodiscard]] double mean_irradiance(const Map& map, std::span<const common::SurfacePoint> points) {
     double sum = 0;

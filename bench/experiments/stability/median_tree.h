@@ -1,4 +1,4 @@
-// The kd-tree of the textbooks, without what ours does about equal coordinates.
+// A textbook kd-tree, which lacks our handling of equal coordinates.
 #pragma once
 
 #include <algorithm>
@@ -8,15 +8,16 @@
 
 namespace bench::stability {
 
-/// Halves its points at their median, along x, y and z by turns (Bentley 1975). Equal coordinates fall to
-/// both sides of a plane that is at them.
+/// Splits its points at the median along x, y and z in turn (Bentley 1975). Points with equal coordinates may
+/// lie on both sides of the plane through them.
 class MedianTree {
   public:
     explicit MedianTree(std::vector<common::Vec3> points) : points_(std::move(points)) {
         build(0, points_.size(), 0);
     }
 
-    /// As the indices of common/point_index search. All points are accepted, by their places in the tree.
+    /// Searches like the indices of common/point_index. All points are accepted; they are numbered by their
+    /// positions in the tree.
     template <class Collector, class Accept>
     void search(const common::Vec3& at, Collector& collector, Accept) const {
         search(at, collector, 0, points_.size(), 0);

@@ -1,4 +1,4 @@
-// Pictures of a case: what several methods answer on one square, side by side.
+// Pictures of a case: the answers of several methods on one square, side by side.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace bench::stability {
 
-/// `answers(x, y)` has one color for each panel; x and y go from 0 to 1, right and down.
+/// Draws the panels. `answers(x, y)` returns one colour per panel; x and y go from 0 to 1, right and down.
 template <std::size_t Panels, class Answers>
 [[nodiscard]] common::Image panels_side_by_side(Answers answers) {
     constexpr int size = 192, width = static_cast<int>(Panels) * size;

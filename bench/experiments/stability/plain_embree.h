@@ -1,4 +1,4 @@
-// Embree as it comes, without the flag that keeps rays from slipping through shared edges: for comparison.
+// Embree without its robust flag, which keeps rays from slipping through shared edges: for comparison.
 #pragma once
 
 #include <limits>

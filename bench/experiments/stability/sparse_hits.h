@@ -1,4 +1,4 @@
-// Few hits for many texels: light as chance spreads it.
+// Few hits for many texels, distributed at random.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,8 @@
 
 namespace bench::stability {
 
-/// As many as intervals of mean 1, exponentially distributed, fit into `mean` (Knuth 1969, 3.4.1).
+/// Draws a Poisson number: how many exponentially distributed intervals of mean 1 fit into `mean` (Knuth
+/// 1969, 3.4.1).
 [[nodiscard]] inline std::size_t poisson(double mean, Generator& generator) {
     std::size_t count = 0;
     double used = -std::log(1.0 - uniform(generator));
@@ -16,23 +17,23 @@ namespace bench::stability {
     return count;
 }
 
-/// P(x) of a Poisson number x with this mean.
+/// Returns P(x) of a Poisson number with this mean.
 [[nodiscard]] inline double poisson_probability(double mean, int x) {
     return std::exp(x * std::log(mean) - mean - std::lgamma(x + 1.0));
 }
 
-/// P(at least `least`).
+/// Returns P(at least `least`) of a Poisson number with this mean.
 [[nodiscard]] inline double poisson_tail(double mean, int least) {
     double below = 0;
     for (int x = 0; x < least; ++x) below += poisson_probability(mean, x);
     return std::max(0.0, 1 - below);
 }
 
-/// The mean of `use(irradiance / truth)` over texels of even light in blocks of `least_hits`
-/// (shlm/map/texel_blocks.h), where `hits_per_texel` fall on each on average: a block of m hits on average
-/// shows x of them, which is x / m, if it has less than least_hits and its parent, with a Poisson number of
-/// hits in its other three quarters, has as many. A texel is a block in any case. `levels`: how often the
-/// whole is divided.
+/// Returns the mean of `use(irradiance / truth)` over texels in uniform light, which are shown in blocks of
+/// `least_hits` (shlm/map/texel_blocks.h). A texel gets `hits_per_texel` on average. A block of m expected
+/// and x actual hits shows x / m. It is shown if it has fewer than least_hits, and its parent, with a Poisson
+/// number of hits in the other three quarters, has at least that many. A single texel is a block in any case.
+/// `levels` is how often the whole is divided.
 template <class Use>
 [[nodiscard]] double mean_over_blocks(double hits_per_texel, int least_hits, int levels, Use use) {
     double sum = 0;
@@ -47,8 +48,8 @@ template <class Use>
     return sum;
 }
 
-/// Independent hits of vertical light on the quad that is the scene's first, `expected` of them on average;
-/// each has the share of 1 W/m^2 that it has on average.
+/// Makes independent hits of vertical light on the scene's first quad, `expected` of them on average. Each
+/// has the flux that gives 1 W/m^2 on average.
 [[nodiscard]] inline common::HitBatch poisson_hits(const common::Scene& scene, double expected,
                                                    Generator& generator) {
     common::HitBatch hits;
@@ -64,13 +65,13 @@ class SparseFloor {
   public:
     static constexpr int texels_along = 64, levels = 6;  // 64 = 2^6
 
-    /// `hits_per_texel` hits to a texel on average, a Poisson number to each and independent.
+    /// Makes independent hits, a Poisson number in each texel with the mean `hits_per_texel`.
     [[nodiscard]] common::HitBatch hits(double hits_per_texel, Generator& generator) const {
         return poisson_hits(scene, hits_per_texel * texels_along * texels_along, generator);
     }
 
-    /// One in each texel from which four are seen, nearest to the corner that these share: the four nearest
-    /// are these.
+    /// Returns a point in each texel that is part of a 2 x 2 group, close to the corner that the group
+    /// shares: the four nearest texels are the group.
     [[nodiscard]] std::vector<common::SurfacePoint> points_among_four() const {
         std::vector<common::SurfacePoint> points;
         for (int j = 0; j + 1 < texels_along; ++j)
@@ -89,7 +90,7 @@ class SparseFloor {
         return points;
     }
 
-    /// 5 x 5 points far from the floor's edges.
+    /// Returns 5 x 5 points far from the floor's edges.
     [[nodiscard]] std::vector<common::SurfacePoint> points_in_the_middle() const {
         std::vector<common::SurfacePoint> points;
         for (int j = 0; j < 5; ++j)
@@ -106,12 +107,12 @@ class SparseFloor {
     }
 };
 
-/// Where the truth is 1.
+/// Returns the squared error where the truth is 1.
 [[nodiscard]] inline double square_of_error(double irradiance) {
     return (irradiance - 1) * (irradiance - 1);
 }
 
-/// The mean of `use(irradiance)` over the points.
+/// Returns the mean of `use(irradiance)` over the points.
 template <common::IrradianceEstimator Map, class Use>
 [[nodiscard]] double mean_of(const Map& map, std::span<const common::SurfacePoint> points, Use use) {
     double sum = 0;

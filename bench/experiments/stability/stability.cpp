@@ -1,4 +1,4 @@
-// shlmbench stability: the collection of failure cases.
+// shlmbench stability: runs the collection of failure cases.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct StabilityOptions {
     int threads = 0;
 };
 
-/// All of them where none is named, each once. Throws InputError for a name that is none.
+/// Returns the named cases, each once, or all if none is named. Throws InputError for an unknown name.
 std::vector<const StabilityCase*> chosen_cases(const std::vector<std::string>& names) {
     const std::vector<const StabilityCase*> all = stability_cases();
     if (names.empty()) return all;
@@ -47,7 +47,7 @@ std::vector<const StabilityCase*> chosen_cases(const std::vector<std::string>& n
     return chosen;
 }
 
-/// The finished cases, in a file that is whole at any time.
+/// The finished cases, in a file that is complete at any time.
 class StabilityTable {
   public:
     StabilityTable(const fs::path& folder, bool full, int threads) : folder_(folder) {
@@ -62,7 +62,7 @@ class StabilityTable {
                                     (folder / "stability.json").string()));
     }
 
-    /// In place of an earlier row of the same case.
+    /// Adds a row, replacing an earlier one of the same case.
     void add(const Json& row) {
         const auto name_of = [](const Json& any) { return any["name"].get<std::string>(); };
         Json rows = Json::array();

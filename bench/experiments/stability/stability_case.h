@@ -1,5 +1,5 @@
-// What a stability case is: a small scene, one parameter that is swept, what theory says, and what the
-// methods do.
+// Defines a stability case: a small scene, one swept parameter, what theory predicts, and what the methods
+// do.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 
 namespace bench::stability {
 
-/// How one run of a case is done.
+/// The parameters of one run of a case.
 class CaseRun {
   public:
     /// Called before each seed; throws to end the run.
     using NextSeed = std::function<void()>;
 
-    /// `mutation`: one of the case's own, or empty. `seeds`: 0 for as many as estimate a deviation well.
+    /// `mutation` is one of the case's own, or empty. `seeds`: 0 for enough to estimate a deviation well.
     CaseRun(bool full, std::string mutation = {}, NextSeed next_seed = {}, std::uint64_t seeds = 0)
         : full_(full),
           mutation_(std::move(mutation)),
@@ -29,17 +29,17 @@ class CaseRun {
                  : full    ? 32
                            : 12) {}
 
-    /// The larger number in the full form, the smaller one in the short form.
+    /// Returns the first value in the full form, the second one in the short form.
     template <class T>
     [[nodiscard]] T either(T full, T quick) const {
         return full_ ? full : quick;
     }
     [[nodiscard]] bool full() const { return full_; }
 
-    /// Whether this run is to be wrong in the named way.
+    /// Returns whether this run is to be wrong in the named way.
     [[nodiscard]] bool has_mutation(std::string_view name) const { return mutation_ == name; }
 
-    /// Independent repetitions.
+    /// Returns the number of independent repetitions.
     [[nodiscard]] std::uint64_t seeds() const { return seeds_; }
 
     /// Calls `measure(seed)` for the seeds 1, 2, ...
@@ -59,17 +59,17 @@ class CaseRun {
 };
 
 struct StabilityPoint {
-    double at;           ///< the swept parameter
-    double predicted;    ///< by theory
-    double allowed = 0;  ///< how far off theory itself may be: a series' next term, rounding; absolute
+    double at;                       ///< the swept parameter
+    double predicted;                ///< by theory
+    double allowed = 0;              ///< absolute error of the theory itself: a series' next term, rounding
     std::vector<double> measured{};  ///< one for each seed; a single one where nothing is random
 };
 
-/// How a curve's points are judged.
+/// The criterion for a curve's points.
 enum class Expected {
-    equal,    ///< the mean is the prediction, within its confidence and what is allowed
+    equal,    ///< the mean is the prediction, within its confidence interval and `allowed`
     at_most,  ///< the mean is not above that
-    shown     ///< not at all: drawn for comparison, such as a method before its remedy
+    shown     ///< not judged: drawn for comparison, such as a method before its remedy
 };
 
 struct StabilityCurve {
@@ -78,7 +78,7 @@ struct StabilityCurve {
     std::vector<StabilityPoint> points;
 };
 
-/// A curve without measurements, with `predicted(at)` at each place.
+/// Makes a curve without measurements, with the prediction `predicted(at)` at each of the places.
 template <class Predicted>
 [[nodiscard]] StabilityCurve curve_at(std::string name, std::span<const double> places, Predicted predicted,
                                       Expected expected = Expected::equal, double allowed = 0) {
@@ -87,28 +87,28 @@ template <class Predicted>
     return curve;
 }
 
-/// All text is for people; names are lower case words joined by hyphens.
+/// A case. Its texts are for people; names are lower case words joined by hyphens.
 struct StabilityCase {
     std::string name;
-    std::string purpose;                 ///< what fails, and whom it hurts
-    std::string scene;                   ///< the scene in words, with the seeds' part in it
+    std::string purpose;                 ///< what fails, and who is affected
+    std::string scene;                   ///< the scene in words, with what the seeds vary
     std::string swept, measured;         ///< labels of both axes, with units
-    std::string theory;                  ///< the prediction's formula and where it is from
+    std::string theory;                  ///< formula of the prediction, and its source
     std::string advice;                  ///< the remedy that is on by default, or what to avoid
     std::vector<std::string> mutations;  ///< each makes the case fail
     std::vector<StabilityCurve> (*run)(const CaseRun&);
     bool logarithmic_swept = false, logarithmic_measured = false;
-    /// A picture where people would rather look than read; linear values with R, G, B.
+    /// An optional picture, where it says more than numbers; linear values with R, G, B.
     std::optional<common::Image> (*picture)() = nullptr;
 };
 
-/// All cases, in the order of their numbers.
+/// Returns all cases, in the order of their numbers.
 [[nodiscard]] std::vector<const StabilityCase*> stability_cases();
 
-/// Registers a case for as long as the program runs: each case's file has one of these.
+/// Registers a case until the program ends. The file of each case has one of these.
 class RegisteredCase {
   public:
-    /// `number`: where it stands among the others, each its own.
+    /// `number`: its unique position in lists.
     RegisteredCase(int number, const StabilityCase& stability_case);
 };
 

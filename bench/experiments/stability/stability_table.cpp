@@ -35,7 +35,7 @@ Json curve_as_json(const StabilityCurve& curve, double false_alarms) {
     return {{"name", curve.name}, {"expected", name_of(curve.expected)}, {"points", points}};
 }
 
-/// How much of its band the point of a row that comes nearest to failing uses; 1 is the border.
+/// Returns the largest deviation of the row's points relative to their bands; above 1, a point fails.
 double largest_share_of_band(const Json& row) {
     double largest = 0;
     for (const Json& curve : row["curves"]) {

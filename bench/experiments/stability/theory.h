@@ -1,4 +1,4 @@
-// Formulas that several cases predict with.
+// Formulas for the predictions of several cases.
 #pragma once
 
 #include <algorithm>
@@ -9,17 +9,17 @@
 
 namespace bench::stability {
 
-/// The part of a disc that lies beyond a straight line at `t` radii from its center; where t < 0 the center
-/// does too.
+/// Returns the fraction of a disc that lies beyond a straight line at `t` radii from its centre. For t < 0
+/// the centre is beyond the line too.
 [[nodiscard]] inline double segment_of_disc(double t) {
     if (t >= 1) return 0;
     if (t <= -1) return 1;
     return (std::acos(t) - t * std::sqrt(1 - t * t)) / std::numbers::pi;
 }
 
-/// What a texel of `order` 1, 2 or 4 reads for a normal at cosine `x` with one light of 1 W/m^2: the first
-/// terms of max(0, x) = sum of (2 l + 1) / 2 P_l(x) times the integral of y P_l(y) over y from 0 to 1, which
-/// is 1/4 + 1/2 P_1 + 5/16 P_2 - 3/32 P_4 + ...
+/// Returns what a texel of `order` 1, 2 or 4 gives for a normal at cosine `x` to a single light of 1 W/m^2.
+/// It is the truncated series of max(0, x) = sum of (2 l + 1) / 2 P_l(x) times the integral of y P_l(y) over
+/// y from 0 to 1, which is 1/4 + 1/2 P_1 + 5/16 P_2 - 3/32 P_4 + ...
 [[nodiscard]] inline double clamped_cosine_series(int order, double x) {
     double sum = 1.0 / 4 + x / 2;
     if (order >= 2) sum += 5.0 / 16 * (3 * x * x - 1) / 2;
@@ -27,8 +27,8 @@ namespace bench::stability {
     return sum;
 }
 
-/// Mean of `value(i, j)` over the four places of whole numbers that are nearest to (x, y): the centers of
-/// texels are such places, in units of their width.
+/// Returns the mean of `value(i, j)` over the four integer points nearest to (x, y). Centres of texels are
+/// such points, in units of their width.
 template <class Value>
 [[nodiscard]] double mean_of_four_nearest(double x, double y, Value value) {
     std::array<std::pair<double, double>, 9>

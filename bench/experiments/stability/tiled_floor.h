@@ -5,8 +5,8 @@
 
 namespace bench::stability {
 
-/// 1 x 1 in the plane z = 0, cut into `cells` x `cells` squares of two triangles each, as in
-/// scene_builder::quad. `texels_along` x `texels_along` texels lie across it.
+/// A floor of 1 x 1 in the plane z = 0, cut into `cells` x `cells` squares of two triangles each, as in
+/// scene_builder::quad. A lightmap of `texels_along` x `texels_along` texels covers it.
 struct TiledFloor {
     int cells, texels_along;
     common::Scene scene;
@@ -18,7 +18,7 @@ struct TiledFloor {
           scene(scene_of(cells_along)),
           texels(texels_of(scene, static_cast<std::size_t>(texels_along_it * texels_along_it))) {}
 
-    /// The place (x, y) of the floor.
+    /// Returns the surface coordinates of (x, y) on the floor.
     [[nodiscard]] common::SurfaceId at(double x, double y) const {
         const auto cell = [&](double along) { return std::min(static_cast<int>(along * cells), cells - 1); };
         const int i = cell(x), j = cell(y);
@@ -26,7 +26,7 @@ struct TiledFloor {
                                       static_cast<float>(x * cells - i), static_cast<float>(y * cells - j));
     }
 
-    /// For each triangle, whether the middle of a texel lies in it.
+    /// Returns for each triangle whether a texel's centre lies in it.
     [[nodiscard]] std::vector<bool> has_texel_center() const {
         std::vector<bool> has(scene.triangle.size(), false);
         for (int j = 0; j < texels_along; ++j)

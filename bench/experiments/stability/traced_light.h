@@ -1,4 +1,4 @@
-// The light that the stores have of traced hits.
+// The flux that stores keep of traced hits.
 #pragma once
 
 #include "bench/experiments/stability/known_light.h"
@@ -6,10 +6,10 @@
 
 namespace bench::stability {
 
-/// Flux of all photons that a photon map takes, as HitBatch::flux.
+/// Returns the flux of all photons that a photon map stores, in the unit of HitBatch::flux.
 [[nodiscard]] double light_in_photons(const common::HitBatch& hits);
 
-/// Irradiance times area over all texels of a light map, as HitBatch::flux.
+/// Returns irradiance times area, summed over all texels of a light map, in the unit of HitBatch::flux.
 template <shlm::ShWeight Weight = shlm::ShWeight::normalised>
 [[nodiscard]] double light_in_texels(const shlm::PreparedTexels& texels, const common::HitBatch& hits) {
     using Model = shlm::TexelModel<0, Weight>;
@@ -20,7 +20,8 @@ template <shlm::ShWeight Weight = shlm::ShWeight::normalised>
     return sum;
 }
 
-/// A closed box of side 2 around the origin with walls of this albedo and a point light of 4 pi W inside.
+/// Makes a closed box of side 2 around the origin, with walls of this albedo and a point light of 4 pi W
+/// inside.
 [[nodiscard]] common::Scene lit_box(float albedo);
 
 }  // namespace bench::stability

@@ -1,11 +1,11 @@
-// The simplest scene: one square meter.
+// The simplest scene: a square of 1 x 1.
 #pragma once
 
 #include "bench/setup/scene_builder.h"
 
 namespace bench::stability {
 
-/// A white floor from (0, 0) to (1, 1) at height 0, facing up.
+/// Returns a white floor from (0, 0) to (1, 1) at height 0, facing up.
 [[nodiscard]] inline const common::Scene& unit_floor() {
     static const common::Scene made = [] {
         common::Scene scene;
@@ -15,7 +15,7 @@ namespace bench::stability {
     return made;
 }
 
-/// Its point (s, t), seen from above.
+/// Returns its point (s, t), seen from above.
 [[nodiscard]] inline common::SurfacePoint on_unit_floor(float s, float t) {
     return scene_builder::front_of(unit_floor(), scene_builder::on_quad(0, s, t));
 }

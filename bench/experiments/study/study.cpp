@@ -1,4 +1,4 @@
-// shlmbench study: error beside time and bytes, over methods, hits and seeds.
+// shlmbench study: measures error, time and bytes over methods, hits and seeds.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -19,7 +19,7 @@
 namespace bench::study {
 namespace {
 
-/// A folder of this process's own, gone with all that is in it.
+/// A temporary folder of this process, which is removed with its contents.
 class ScratchFolder {
   public:
     explicit ScratchFolder(const std::filesystem::path& where) : path_((where / ".warm-up-XXXXXX").string()) {
@@ -39,7 +39,7 @@ class ScratchFolder {
     std::string path_;
 };
 
-/// Tracing for a moment, unmeasured: the first run of a process finds caches, buffers and threads cold.
+/// Traces briefly without measuring, since the first run of a process has cold caches, buffers and threads.
 void warm_up(const StudyPlan& plan, ReferenceScene& scene) {
     const ScratchFolder folder(plan.out);
     StudyPlan scratch = plan;
@@ -47,7 +47,7 @@ void warm_up(const StudyPlan& plan, ReferenceScene& scene) {
     (void)run_study(scratch, scene, plan.methods, 10'000, 2);
 }
 
-/// False where the user ended it.
+/// Returns false if the user interrupted it.
 bool study_scene(const StudyPlan& plan, const std::filesystem::path& file, std::uint64_t hits,
                  StudyTable& table) {
     if (!table.is_missing_any(file.stem().string(), plan.methods, hits, plan.seeds)) return true;
@@ -67,8 +67,8 @@ bool study_scene(const StudyPlan& plan, const std::filesystem::path& file, std::
     return true;
 }
 
-/// What is seen of the answers, and the reference they are measured by: from what is there, so that both are
-/// up to date whenever the reference has become better.
+/// Recomputes the visible error of the stored answers and the facts of the reference, so that both are up to
+/// date when the reference has been improved.
 void compare_with_reference(const StudyPlan& plan, const std::filesystem::path& file, StudyTable& table) {
     const ReferenceScene scene(file, plan.reference_of(file), plan.scene, plan.settings);
     scene.write_reference(plan.out / "raw" / scene.name());
@@ -87,7 +87,7 @@ void run(const StudyOptions& options) {
     common::ThreadPool pool(plan.threads);
     pool.run([&] {
         StudyTable table(plan);
-        // Small sizes of all scenes first: what is there early is a whole, if coarse, picture.
+        // Small sizes of all scenes come first, so that early results are complete, if coarse.
         for (const std::uint64_t hits : plan.hits)
             for (const std::filesystem::path& file : plan.files)
                 if (!study_scene(plan, file, hits, table))

@@ -1,4 +1,4 @@
-// What a study is asked to do, checked.
+// The checked options of a study.
 #pragma once
 
 #include <filesystem>
@@ -56,12 +56,12 @@ struct StudyOptions {
 struct StudyPlan {
     std::vector<std::filesystem::path> files;
     std::vector<std::uint64_t> hits;  ///< ascending, each once
-    std::vector<Contender> methods;   ///< those that one store can serve stand together
+    std::vector<Contender> methods;   ///< methods that share a store are neighbours
     std::filesystem::path references;
     std::filesystem::path out;  ///< exists and can be written to
     std::size_t max_bytes;
-    std::uint64_t seeds;  ///< 1 to this
-    bool anew;            ///< begin again where the folder's rows are of another build, machine or setting
+    std::uint64_t seeds;  ///< seeds are 1 to this
+    bool anew;            ///< start again where the folder's rows are of another build, machine or setting
     SceneOptions scene;
     ContenderSettings settings;
     int threads;
@@ -71,7 +71,8 @@ struct StudyPlan {
     }
 };
 
-/// Throws InputError for the first option that makes no sense; makes the output folder.
+/// Checks the options and makes the output folder. Throws InputError for the first option that makes no
+/// sense.
 [[nodiscard]] StudyPlan make_plan(const StudyOptions& options);
 
 }  // namespace bench::study

@@ -52,13 +52,13 @@ Json row_of(const RunFacts& facts, const Contender& contender, const ContenderSe
     return row;
 }
 
-/// Folder of a method's answers, below the study's.
+/// Returns the folder of a method's answers, relative to the study's.
 std::filesystem::path answers_folder(const std::string& scene, std::string method) {
     std::replace(method.begin(), method.end(), '/', '-');
     return std::filesystem::path("raw") / scene / method;
 }
 
-/// Why the scene has not got what the method needs; empty where it has.
+/// Returns why the scene does not provide what the method needs; empty where it does.
 std::string trouble_with_scene(const Contender& method, PreparedScene& prepared) {
     try {
         (void)method->prepare(prepared);
@@ -68,7 +68,7 @@ std::string trouble_with_scene(const Contender& method, PreparedScene& prepared)
     }
 }
 
-/// Groups that fit into memory side by side; rows with the reason for the others.
+/// Returns the groups that fit into memory together, and adds a row with the reason for each other method.
 std::vector<ContenderGroup> that_fit(std::vector<ContenderGroup> groups, const StudyPlan& plan,
                                      PreparedScene& prepared, const RunFacts& facts,
                                      std::vector<Json>& skipped) {
@@ -87,7 +87,7 @@ std::vector<ContenderGroup> that_fit(std::vector<ContenderGroup> groups, const S
     return groups;
 }
 
-/// The map of each contender that the store serves, one after the other.
+/// Finishes and evaluates the map of each contender that the store serves, one after the other.
 void ask_all(const FilledStore& filled, const RunFacts& facts, const StudyPlan& plan, ReferenceScene& scene,
              std::vector<Json>& rows) {
     const StoreFacts store = filled.store->facts();
@@ -119,7 +119,8 @@ StudyRun run_study(const StudyPlan& plan, ReferenceScene& scene, const std::vect
     std::vector<FilledStore> stores;
     std::vector<ContenderGroup> groups =
         that_fit(groups_of(methods), plan, scene.prepared(), facts, run.rows);
-    // The first store finds a wave's hits in cache and its own sums not, so every seed begins with another.
+    // The first store finds a wave's hits in cache but not its own sums, so each seed begins with another
+    // store.
     if (!groups.empty()) std::rotate(groups.begin(), groups.begin() + seed % groups.size(), groups.end());
     for (ContenderGroup& group : groups)
         stores.emplace_back(std::move(group), scene.prepared(), scene.source());

@@ -1,4 +1,5 @@
-// One scene, number of hits and seed: one trace feeds the stores of all methods, and each is asked.
+// Runs one scene, number of hits and seed: one trace fills the stores of all methods, which are then
+// evaluated.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,10 +12,10 @@ namespace bench::study {
 
 struct StudyRun {
     std::vector<nlohmann::ordered_json> rows;  ///< one per method, measured or skipped
-    bool interrupted = false;                  ///< the user ended it; there are no rows then
+    bool interrupted = false;                  ///< by the user; there are no rows then
 };
 
-/// `methods` in the plan's order. Writes each method's answers.
+/// Runs `methods`, which are in the plan's order, and writes each one's answers.
 [[nodiscard]] StudyRun run_study(const StudyPlan& plan, ReferenceScene& scene,
                                  const std::vector<Contender>& methods, std::uint64_t hits,
                                  std::uint64_t seed);

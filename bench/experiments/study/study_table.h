@@ -1,4 +1,4 @@
-// study.json while it grows.
+// study.json, which is updated while a study runs.
 #pragma once
 
 #include <filesystem>
@@ -11,29 +11,29 @@
 
 namespace bench::study {
 
-/// Begins with what an earlier run has left in the folder, so that a study can be stopped and gone on with,
-/// or extended by scenes, methods, sizes and seeds.
+/// Begins with the rows that an earlier run has left in the folder. A study can thus be stopped and
+/// continued, or extended by scenes, methods, sizes and seeds.
 class StudyTable {
   public:
-    /// Throws InputError where the folder has a study of another build, machine or setting: hours of work are
-    /// not overwritten.
+    /// Throws InputError where the folder has a study of another build, machine or setting, so that hours of
+    /// work are not overwritten.
     explicit StudyTable(const StudyPlan& plan);
 
-    /// Methods without a row. Skipped ones are judged anew.
+    /// Returns the methods without a row. Skipped ones count as missing and are tried again.
     [[nodiscard]] std::vector<Contender> missing(const std::string& scene,
                                                  const std::vector<Contender>& methods, std::uint64_t hits,
                                                  std::uint64_t seed) const;
     [[nodiscard]] bool is_missing_any(const std::string& scene, const std::vector<Contender>& methods,
                                       std::uint64_t hits, std::uint64_t seeds) const;
 
-    /// Throws InputError where the scene has rows for other points or another version of it: they cannot
-    /// stand beside each other.
+    /// Throws InputError where the scene has rows for other points or another version of it, as they cannot
+    /// be compared.
     void describe_scene(const std::string& name, const nlohmann::ordered_json& facts);
 
-    /// Appends the rows and writes the file anew: what is finished survives whatever comes.
+    /// Appends the rows and rewrites the file, so that finished rows survive any failure.
     void add(const std::vector<nlohmann::ordered_json>& rows);
 
-    /// Calls `change` with every row of a scene that has been measured, and writes the file anew.
+    /// Calls `change` with every measured row of a scene, and rewrites the file.
     void change_rows(const std::string& scene, const std::function<void(nlohmann::ordered_json&)>& change);
 
     [[nodiscard]] std::size_t row_count() const { return document_["rows"].size(); }

@@ -5,8 +5,8 @@
 namespace bench::stability {
 namespace {
 
-/// Arrivals of a photon that each wall reflects with probability `albedo`, on average: 1 + albedo + albedo^2
-/// and so on, as many as the tracer follows.
+/// Returns the expected arrivals of a photon that each wall reflects with probability `albedo`: 1 + albedo +
+/// albedo^2 and so on, up to the tracer's limit.
 double arrivals(double albedo) {
     return (1 - std::pow(albedo, common::max_events)) / (1 - albedo);
 }
@@ -21,15 +21,15 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     const auto one = [](double) { return 1.0; };
     std::vector<StabilityCurve> curves = {curve_at("photon map", places, one),
                                           curve_at("light map", places, one)};
-    // At each arrival roulette rounds a photon's flux twice, and at most 5.2 x 2^-23 of the photons slip
-    // through where walls meet (see far-from-origin); the sums' and texels' own rounding is 2^-22.
+    // At each arrival, roulette rounds a photon's flux twice. At most 5.2 x 2^-23 of the photons slip through
+    // where walls meet (see far-from-origin). The sums and texels round by 2^-22.
     for (StabilityCurve& curve : curves)
         for (StabilityPoint& point : curve.points) point.allowed = 0x1p-22 + point.at * 7 * 0x1p-23;
     const shlm::PreparedTexels texels = texels_of(lit_box(0), 600);
 
     run.for_each_seed([&](std::uint64_t seed) {
         for (std::size_t i = 0; i < albedos.size(); ++i) {
-            // About as many hits at each albedo, but a block of photons at least.
+            // About as many hits at each albedo, but at least one block of photons.
             const double hits = run.either(5e5, 5e4);
             const auto blocks = static_cast<std::uint64_t>(hits / places[i] / common::photons_per_block) + 1;
             const TracedHits run_of =

@@ -1,4 +1,4 @@
-// 5. Blur: what is left of the peak of a spot of light, such as a caustic's focus.
+// 5. Blur: how much remains of the peak of a small spot of light, such as a caustic's focus.
 #include "bench/experiments/stability/floor_light.h"
 #include "bench/experiments/stability/panels.h"
 #include "bench/experiments/stability/stability_case.h"
@@ -10,7 +10,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double max_radius = 5;
 
-/// Photons of a disc of light of radius 1 and 1 W/m^2 in the middle of the floor.
+/// Makes photons of a disc of light of radius 1 and 1 W/m^2 in the middle of the floor.
 common::HitBatch spot_on(double width, const common::Scene& floor, std::size_t count, Generator& generator) {
     const auto flux = static_cast<float>(pi / static_cast<double>(count));
     common::HitBatch hits;
@@ -24,22 +24,22 @@ common::HitBatch spot_on(double width, const common::Scene& floor, std::size_t c
     return hits;
 }
 
-// In the middle of the spot; all lengths are multiples of its radius.
+// Predictions for the middle of the spot; lengths are in units of its radius.
 
 double read_by_disc(double r) {
     return std::min(1.0, 1 / (r * r));
 }
 
-/// The lit part of a texel of width h whose middle is the spot's. If the spot reaches over its sides, but not
-/// its corners, the spot loses four segments.
+/// Returns the lit fraction of a texel of width h that is centred on the spot. If the spot reaches over the
+/// texel's sides but not its corners, four segments of it are outside.
 double read_by_texel(double h) {
     if (h <= std::numbers::sqrt2) return 1;
     return pi / (h * h) * (1 - 4 * segment_of_disc(h / 2));
 }
 
-/// Two photons times r^2 are the radius r, if they lie as dense everywhere as in the spot. In the mean the
-/// k - 1 that are nearer than the k-th read exactly 1. If the spot has fewer than k, all that it has are
-/// divided by the largest disc.
+/// As long as photons are as dense everywhere as in the spot, photons times r^2 is the k of a gather of
+/// radius r. The k - 1 that are nearer than the k-th then read exactly 1 on average. If the spot has fewer
+/// than k photons, all of them are divided by the area of the largest disc.
 double read_by_nearest(double r) {
     return r < 1 ? 1 : 1 / (max_radius * max_radius);
 }
@@ -48,7 +48,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     constexpr double sizes[] = {0.4, 0.6, 0.8, 0.95, 1.2, 1.6, 2.4, 4};
     const auto photons = run.either<std::size_t>(40'000, 10'000);
     constexpr double rounding = 1e-5;
-    // The k nearest are added up as floats: equal ones may each round by half a unit of the last place.
+    // The k nearest are summed as floats: equal values may each round by half a unit of the last place.
     const double rounding_of_sum = rounding + static_cast<double>(photons) * 0x1p-25;
     const auto whole = [](double) { return 1.0; };
     const bool unspoilt = run.has_mutation("a texel keeps the peak");
@@ -89,7 +89,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     return curves;
 }
 
-/// Truth, photon map, own texel and bilinear, side by side, with gathers of equal area.
+/// Draws truth, photon map, own texel and bilinear side by side, with gathers of equal area.
 std::optional<common::Image> picture() {
     constexpr double width = 4;
     constexpr std::size_t texels_along = 9;

@@ -12,8 +12,8 @@ using common::Vec3;
 constexpr double pi = std::numbers::pi;
 constexpr int strips = 255;
 
-/// Upper half of a cylinder of radius 1 around the y axis, in flat strips. It is as long as it is wide
-/// unrolled: w x w texels are square.
+/// Makes the upper half of a cylinder of radius 1 around the y axis, in flat strips. It is as long as its
+/// unrolled width, so w x w texels are square.
 const common::Scene& cylinder() {
     static const common::Scene made = [] {
         const auto at = [](int strip) {
@@ -35,7 +35,7 @@ const common::Scene& cylinder() {
     return made;
 }
 
-/// Where a photon of parallel light straight down arrives that flies at `s` of the cylinder's width.
+/// Returns where a photon of vertical light arrives that is at `s` of the cylinder's width.
 common::SurfaceId under(double s, double t) {
     const auto edge = [](double strip) { return (std::sin(pi * (strip / strips - 0.5)) + 1) / 2; };
     const double strip = std::floor(strips * (std::asin(2 * s - 1) / pi + 0.5));
@@ -44,15 +44,16 @@ common::SurfaceId under(double s, double t) {
                                   static_cast<float>(t));
 }
 
-/// At `s` of the way round.
+/// Returns the point at `s` of the way round.
 common::SurfaceId around(double s, double t) {
     const double strip = std::floor(strips * s);
     return scene_builder::on_quad(2 * static_cast<std::uint32_t>(strip),
                                   static_cast<float>(strips * s - strip), static_cast<float>(t));
 }
 
-/// A photon in each cell of a grid, at random within it: as even as photons can be, so that bias shows in the
-/// noise. `place(s, t)` is where it arrives, `direction(normal)` how; together they carry `power`, W.
+/// Makes one photon in each cell of a grid, at random within the cell. Such even photons have so little noise
+/// that bias shows. `place(s, t)` is where a photon arrives, `direction(normal)` its direction; together they
+/// carry `power`, W.
 template <class Place, class Direction>
 common::HitBatch light(int cells, double power, Generator& generator, Place place, Direction direction) {
     const auto flux = static_cast<float>(power / cells / cells);
@@ -69,7 +70,7 @@ common::HitBatch light(int cells, double power, Generator& generator, Place plac
     return hits;
 }
 
-/// Along the top of the cylinder, where every ball of the case has room.
+/// Returns points along the top of the cylinder, with room for every ball of the case.
 std::vector<common::SurfacePoint> points_on_top() {
     std::vector<common::SurfacePoint> points;
     for (int i = 0; i < 8; ++i)
@@ -78,23 +79,23 @@ std::vector<common::SurfacePoint> points_on_top() {
     return points;
 }
 
-// At the angle a from the top, and s = 2 sin(a / 2) away from it, a strip of the ball is 2 sqrt(r^2 - s^2)
-// long and da = ds / sqrt(1 - s^2 / 4) wide. Over a disc, s^2, s^4 and s^6 are r^2 / 4, r^4 / 8 and
-// 5 r^6 / 64 in the mean. R = 1.
+// Let R = 1, let a be the angle from the top and s = 2 sin(a / 2) the distance from it. There, a strip of the
+// ball is 2 sqrt(r^2 - s^2) long and da = ds / sqrt(1 - s^2 / 4) wide. Over a disc, s^2, s^4 and s^6 are on
+// average r^2 / 4, r^4 / 8 and 5 r^6 / 64.
 
-/// Parallel light has cos a photons a unit of area, and each counts 1 / cos a times on a surface that faces
-/// the light: what is read is the mean of 1 / sqrt(1 - s^2 / 4).
+/// Parallel light has cos a photons per unit of area, and each counts 1 / cos a times on a surface that faces
+/// the light. So the estimate is the mean of 1 / sqrt(1 - s^2 / 4).
 double read_in_parallel_light(double r) {
     return 1 + r * r / 32 + 3 * std::pow(r, 4) / 1024 + 25 * std::pow(r, 6) / 65536;
 }
 
-/// Even light from all sides has as many photons everywhere; of the light above a plane turned by a, one that
-/// is not turned sees (1 + cos a) / 2 = 1 - s^2 / 4. What is read is the mean of sqrt(1 - s^2 / 4).
+/// Uniform light from all sides has the same photon density everywhere. Of the light above a plane tilted by
+/// a, an untilted plane sees (1 + cos a) / 2 = 1 - s^2 / 4. So the estimate is the mean of sqrt(1 - s^2 / 4).
 double read_in_even_light(double r) {
     return 1 - r * r / 32 - std::pow(r, 4) / 1024 - 5 * std::pow(r, 6) / 65536;
 }
 
-/// The mean of cos a over a texel of width h in the middle of which a is 0.
+/// Returns the mean of cos a over a texel of width h that is centred on the top.
 double read_by_texel(double h) {
     return std::sin(h / 2) / (h / 2);
 }
@@ -113,12 +114,12 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     const auto if_not = [](bool without, auto predicted) {
         return [=](double size) { return without ? 1.0 : predicted(size); };
     };
-    // The next terms of the series are below 1e-4, squares of a strip's angle are 1.5e-4.
+    // The next terms of the series are below 1e-4, and a strip's angle squared is 1.5e-4.
     constexpr double allowed = 2.5e-4;
     std::vector<StabilityCurve> curves = {
         curve_at("photon map, parallel light", sizes, if_not(flat, read_in_parallel_light), Expected::equal,
                  allowed),
-        // Cosines below the least that is divided by darken by half of it.
+        // Cosines below the clamp e of the divisor reduce the estimate by e / 2.
         curve_at("photon map, light from all sides", sizes, if_not(flat, read_in_even_light), Expected::equal,
                  allowed + common::min_incident_cosine / 2),
         curve_at("light map, own texel, parallel light", sizes, if_not(point, read_by_texel), Expected::equal,

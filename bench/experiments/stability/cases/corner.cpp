@@ -1,4 +1,4 @@
-// 2. Topological bias: in a corner a ball around a point of the floor finds the wall's photons too.
+// 2. Topological bias: near a corner, a ball around a point of the floor also contains photons of the wall.
 #include "bench/experiments/stability/floor_light.h"
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/theory.h"
@@ -10,7 +10,7 @@ constexpr double radius = 0.1;
 constexpr std::size_t texels = 800;
 constexpr std::uint32_t floor_triangle = 0, wall_triangle = 2;
 
-/// A floor of 1 x 1 and a wall of 1 x 1 on its edge x = 0.
+/// Makes a floor of 1 x 1 and a wall of 1 x 1 on its edge x = 0.
 const common::Scene& corner() {
     static const common::Scene made = [] {
         common::Scene scene;
@@ -22,19 +22,20 @@ const common::Scene& corner() {
     return made;
 }
 
-/// The photons as a gather sees them that does not look at their surface: all of one. The light comes down
-/// at 45 degrees, so that a photon of the wall counts on the floor as one of the floor's own.
+/// Assigns all photons to one surface, as a gather does that ignores their surfaces. The light comes down at
+/// 45 degrees, so that a photon of the wall counts like one of the floor.
 common::HitBatch with_surfaces_forgotten(common::HitBatch hits) {
     for (common::SurfaceId& on : hits.surface) on.triangle = floor_triangle + on.triangle % 2;
     return hits;
 }
 
-/// Of the disc of radius 1 around a point of the floor at t from the wall.
+/// Returns the fraction, on the floor, of the disc of radius 1 around a point at t from the wall.
 double part_on_the_floor(double t) {
     return 1 - segment_of_disc(t);
 }
 
-/// The ball cuts the wall's plane in a disc of radius sqrt(1 - t^2), half of which is above the floor.
+/// Returns the wall's contribution: the ball cuts its plane in a disc of radius sqrt(1 - t^2), half of which
+/// is above the floor.
 double part_on_the_wall(double t) {
     return t >= 1 ? 0 : (1 - t * t) / 2;
 }

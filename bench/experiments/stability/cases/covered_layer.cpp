@@ -1,4 +1,4 @@
-// 2. Topological bias: a panel close over a floor, within a gather's reach of it.
+// 2. Topological bias: a panel close above a floor, within the radius of a gather.
 #include "bench/experiments/stability/floor_light.h"
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/theory.h"
@@ -9,7 +9,7 @@ namespace {
 constexpr double radius = 0.1;
 constexpr std::uint32_t floor_triangle = 0, panel_triangle = 2;
 
-/// A floor of 1 x 1 and over its half x < 0 a panel at this height.
+/// Makes a floor of 1 x 1, and a panel at this height above its half x < 0.
 common::Scene floor_and_panel(double height) {
     common::Scene scene;
     const common::Material white = scene_builder::diffuse({1, 1, 1});
@@ -19,7 +19,7 @@ common::Scene floor_and_panel(double height) {
     return scene;
 }
 
-/// Vertical light of 1 W/m^2 that falls on the panel and, where that is not, on the floor.
+/// Makes vertical light of 1 W/m^2 that falls on the panel and, where there is none, on the floor.
 common::HitBatch irradiate(const common::Scene& scene, std::size_t photons, Generator& generator) {
     common::HitBatch on_floor, hits;
     irradiate_quad(on_floor, scene, floor_triangle, photons, generator, always({0, 0, -1}));
@@ -28,19 +28,19 @@ common::HitBatch irradiate(const common::Scene& scene, std::size_t photons, Gene
     return hits;
 }
 
-/// Of the floor's disc around a point at `x` radii from the panel's edge, the part that is lit.
+/// Returns the lit fraction of the floor's disc around a point at `x` radii from the panel's edge.
 double read_from_floor(double x) {
     return 1 - segment_of_disc(x);
 }
 
-/// The ball around that point cuts the panel, `height` radii over it, in a smaller disc, of which this part
-/// of the floor's is on the panel.
+/// The ball around that point cuts the panel, `height` radii above it, in a smaller disc. Returns the area of
+/// this disc that is on the panel, relative to the floor's disc.
 double read_from_panel(double x, double height) {
     const double disc_sq = 1 - height * height;
     return disc_sq * segment_of_disc(x / std::sqrt(disc_sq));
 }
 
-/// What is measured over one panel.
+/// A panel and the data for measurements at it.
 struct Panel {
     double height;  ///< in radii
     common::Scene scene;

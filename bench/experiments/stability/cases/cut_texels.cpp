@@ -1,4 +1,4 @@
-// 6. Texels that a chart's border cuts: what is left of them has few hits, whose noise a lookup may show.
+// 6. Texels that a chart's border cuts: what remains of them has few hits, whose noise a lookup may show.
 #include "bench/experiments/stability/sparse_hits.h"
 #include "bench/experiments/stability/stability_case.h"
 
@@ -7,12 +7,12 @@ namespace {
 
 using common::SurfacePoint;
 
-constexpr int texels_along = 20;    // of a lightmap that is as large as the plane z = 0 from (0, 0) to (1, 1)
-constexpr double off_middle = 0.3;  // of its row of texels: how far each point lies, in texels
+constexpr int texels_along = 20;    // of a lightmap that covers the plane z = 0 from (0, 0) to (1, 1)
+constexpr double off_middle = 0.3;  // distance of each point from the middle of its row, in texels
 constexpr double hits_per_texel = 200;
 
-/// Of the texels 0 ... 19 along x the first chart covers 0 to 9 and part `left` of the 10th, the second one
-/// those from 12.
+/// Makes two charts. Of the texels 0 to 19 along x, the first one covers 0 to 9 and the fraction `left` of
+/// texel 10; the second one begins with 12.
 common::Scene two_charts(double left) {
     const auto chart = [](double from, double to) {
         const auto low = static_cast<float>(from / texels_along),
@@ -35,7 +35,7 @@ struct CutChart {
         return poisson_hits(scene, hits_per_texel * texels_along * (10 + left), generator);
     }
 
-    /// In rows well inside; on the border `texels_from_the_left` is 10 + left.
+    /// Returns points in rows well inside; at the border, `texels_from_the_left` is 10 + left.
     [[nodiscard]] std::vector<SurfacePoint> points(double texels_from_the_left, double texels_down) const {
         std::vector<SurfacePoint> points;
         for (int row = 1; row + 2 < texels_along; ++row)
@@ -49,31 +49,31 @@ struct CutChart {
     }
 };
 
-// Hits are independent, so a texel of area a, in whole texels, with n hits to a whole one has the relative
-// variance 1 / (a n).
+// Hits are independent. So a texel of area a, in whole texels, has the relative variance 1 / (a n) if a whole
+// texel gets n hits.
 
 constexpr double of_rows = (1 - off_middle) * (1 - off_middle) + off_middle * off_middle;
 
-/// The point is `left` past the texel's border, 1/2 + left past the middle of the last whole one: as much as
-/// that is the cut one's weight, times what is left of it.
+/// The point is at `left` beyond the texel's border, which is 1/2 + left beyond the middle of the last whole
+/// texel. This is the weight of the cut texel, and it is multiplied by the texel's remaining area.
 double variance_of_bilinear(double left) {
     const double whole = 0.5 - left, cut = 0.5 + left, weights = whole + cut * left;
     return of_rows * (whole * whole + cut * cut * left) / (weights * weights);
 }
 
-/// Where what is left of it does not count.
+/// Returns the same if weights ignore the remaining area.
 double variance_without_areas(double left) {
     const double whole = 0.5 - left, cut = 0.5 + left;
     return of_rows * (whole * whole + cut * cut / left);
 }
 
-/// The nearest are the two of both rows, and count by area: all their hits over all their area.
+/// The nearest texels are two of each row, weighted by area: all their hits over all their area.
 double variance_of_nearest(double left) {
     return 1 / (2 * (1 + left));
 }
 
-/// Mean of the squared errors of a weighted mean of four texels at the border, whatever is left of them; the
-/// cut ones have the weight `cut`, those of the next row `down`.
+/// Returns the mean squared error of a weighted mean of four texels at the border that ignores their
+/// remaining areas. The cut ones have the weight `cut`, those of the next row `down`.
 double error_without_areas(const CutChart& chart, const shlm::HarmonicMap<FlatModel>& own, double cut,
                            double down) {
     const auto light = [&](double x, double y) {
@@ -102,7 +102,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     for (const double left : places) charts.push_back({left});
     const bool count_alike = run.has_mutation("the nearest texels count alike");
 
-    constexpr int draws = 8;  // of each seed: a few hits in a few rows say little of a variance
+    constexpr int draws = 8;  // per seed: a few hits in a few rows determine a variance poorly
     run.for_each_seed([&](std::uint64_t seed) {
         Generator generator(seed);
         for (std::size_t i = 0; i < std::size(places); ++i) {

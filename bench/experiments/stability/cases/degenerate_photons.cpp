@@ -1,4 +1,4 @@
-// 12. Degenerate photons: none, about as many as a gather wants, all in one place or on one line.
+// 12. Degenerate photons: none, about as many as a gather wants, all at one point or on one line.
 #include <limits>
 
 #include "bench/experiments/stability/known_light.h"
@@ -17,12 +17,12 @@ constexpr double counts[] = {0, 1, 2, k - 1, k, k + 1, 200};
 constexpr std::size_t spoiled_hits = 6;
 constexpr int texels_each_way = 4;
 
-/// Looks at every photon.
+/// A sink whose gathers test every photon.
 using BruteForceSink = photonmap::BulkPhotonSink<photonmap::TreeOverCurve<common::BruteForceIndex>>;
 
 enum class Arrangement { anywhere, in_pairs, on_a_line, in_one_place };
 
-/// Vertical photons of 1 W: their sums are exact in any order, and in the compact map too.
+/// Makes vertical photons of 1 W, whose sums are exact in any order, also in the compact map.
 HitBatch photons(std::size_t count, Arrangement arrangement, Generator& generator) {
     HitBatch hits;
     for (std::size_t i = 0; i < count; ++i) {
@@ -36,7 +36,7 @@ HitBatch photons(std::size_t count, Arrangement arrangement, Generator& generato
     return hits;
 }
 
-/// With some hits among them that no store may take.
+/// Adds some hits that every store must reject.
 HitBatch spoiled(HitBatch hits) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
                     inf = std::numeric_limits<float>::infinity();
@@ -50,7 +50,7 @@ HitBatch spoiled(HitBatch hits) {
     return hits;
 }
 
-/// On the photons, and elsewhere.
+/// Returns points on the photons and elsewhere.
 std::vector<SurfacePoint> points_for(const HitBatch& hits, Generator& generator) {
     std::vector<SurfacePoint> points;
     for (std::size_t i = 0; i < 16; ++i) {
@@ -63,7 +63,7 @@ std::vector<SurfacePoint> points_for(const HitBatch& hits, Generator& generator)
     return points;
 }
 
-/// What a photon map answers, and last how many hits it has rejected.
+/// Returns the answers of a photon map and, last, its number of rejected hits.
 template <class PhotonSink>
 std::vector<float> answers(const HitBatch& hits, const GatherSettings& gather,
                            std::span<const SurfacePoint> points) {
@@ -83,7 +83,8 @@ std::size_t differing(const std::vector<float>& a, const std::vector<float>& b) 
     return count;
 }
 
-/// The same by counting the photons in the point's texel; a texel's area and the answer each round once.
+/// Returns the number of wrong answers of a light map, from counting the photons in the point's texel. The
+/// texel's area and the answer each round once.
 std::size_t wrong_texels(const HitBatch& sound, const HitBatch& offered,
                          std::span<const SurfacePoint> points) {
     static const shlm::PreparedTexels texels = texels_of(unit_floor(), texels_each_way * texels_each_way);

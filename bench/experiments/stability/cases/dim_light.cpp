@@ -5,7 +5,7 @@
 namespace bench::stability {
 namespace {
 
-/// Powers of two, of which floats scale without rounding.
+/// Exponents of two for the intensity: floats scale by powers of two without rounding.
 constexpr int judged[] = {-96, -60, -20, 0, 20, 60, 100}, beyond[] = {-126, -120, -110, -100, 110, 120};
 
 std::vector<double> powers_of_two(std::span<const int> exponents) {

@@ -1,4 +1,4 @@
-// 8. Empty texels: where hits are few, some texels have none and are black.
+// 8. Empty texels: with few hits, some texels have none and are black.
 #include "bench/experiments/stability/panels.h"
 #include "bench/experiments/stability/sparse_hits.h"
 #include "bench/experiments/stability/stability_case.h"
@@ -8,7 +8,7 @@ namespace {
 
 using common::SurfacePoint;
 
-/// As the four nearest would read if those were left out that have no hits: all are of one area.
+/// Returns the mean of the four nearest texels if those without hits were left out; all have the same area.
 double mean_without_empty_ones(const SparseFloor& floor, const shlm::HarmonicMap<FlatModel>& own) {
     double sum = 0;
     int blocks = 0;
@@ -26,8 +26,9 @@ double mean_without_empty_ones(const SparseFloor& floor, const shlm::HarmonicMap
     return sum / blocks;
 }
 
-/// n hits a texel on average: a texel is lit with probability 1 - e^-n, and then holds 1 / (1 - e^-n) on
-/// average. So does the mean of those of four that are lit, if one is: (1 - e^-4n) / (1 - e^-n).
+/// For n hits per texel on average, a texel is lit with probability 1 - e^-n, and then has 1 / (1 - e^-n) on
+/// average. This is also the mean over those of four texels that are lit, if any is: (1 - e^-4n) / (1 -
+/// e^-n).
 double mean_of_the_lit(double n) {
     return 1 + std::exp(-n) + std::exp(-2 * n) + std::exp(-3 * n);
 }
@@ -47,7 +48,7 @@ double dark_in_blocks(double n) {
 std::vector<StabilityCurve> run(const CaseRun& run) {
     const SparseFloor floor;
     constexpr double places[] = {0.1, 0.2, 0.4, 0.7, 1, 2, 4};
-    // Down to 0.018 of the points: where fewer are dark their number is not near normal.
+    // Ends where 0.018 of the points are dark: the number of fewer is far from normally distributed.
     const auto places_of_four = std::span(places).first(5);
     const auto one = [](double) { return 1.0; };
     std::vector<StabilityCurve> curves = {
@@ -96,8 +97,8 @@ bool in_shadow(double x, double y) {
     return (x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5) < 0.04;
 }
 
-/// Truth, the 50 nearest photons, the 4 nearest texels alone, and in blocks, side by side: 3 hits to a texel,
-/// but for a round shadow.
+/// Draws truth, the 50 nearest photons, the 4 nearest texels alone, and in blocks, side by side. There are 3
+/// hits per texel, except in a round shadow.
 std::optional<common::Image> picture() {
     const SparseFloor floor;
     Generator generator(1);

@@ -1,4 +1,4 @@
-// 12. Equal coordinates: all photons of an axis-aligned wall share one exactly.
+// 12. Equal coordinates: all photons of an axis-aligned wall have one coordinate in common.
 #include "bench/experiments/stability/known_light.h"
 #include "bench/experiments/stability/median_tree.h"
 #include "bench/experiments/stability/stability_case.h"
@@ -13,7 +13,7 @@ namespace {
 using common::Vec3;
 using photonmap::NearestSelection;
 
-/// On the six faces of a cube.
+/// Returns points on the six faces of a cube.
 std::vector<Vec3> points_on_a_cube(std::size_t count, Generator& generator) {
     std::vector<Vec3> points(count);
     for (Vec3& p : points) {
@@ -31,8 +31,8 @@ std::vector<Vec3> turned(std::vector<Vec3> points) {
     return points;
 }
 
-/// A search asks a collector for its reach wherever it decides whether to go on: once for all that it takes
-/// from its stack, and once more for each node or leaf that it opens.
+/// Counts the decisions of a search, which asks the collector for its reach whenever it decides whether to go
+/// on: once per entry taken from its stack, and once per node or leaf that it opens.
 struct CountingSelection {
     NearestSelection selection;
     mutable std::size_t asked = 0;
@@ -56,7 +56,8 @@ photonmap::CompactIndex compact_index(const std::vector<Vec3>& points) {
         std::move(records), [](std::size_t) {}, [](std::size_t, const Record&) {});
 }
 
-/// Decisions in all searches for the nearest points around every so many-th point.
+/// Returns the number of decisions in searches for the nearest points, with queries at evenly spaced points
+/// of the list.
 template <class Index>
 double decisions(const Index& index, const std::vector<Vec3>& points, std::size_t queries,
                  std::size_t wanted) {
@@ -77,15 +78,15 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     const std::size_t nearest = 50;
     const bool at_median = run.has_mutation("compact puts its planes at the median");
     const auto one = [](double) { return 1.0; };
-    // Our compact index also has a grid of cells, whose bounds are others for the turned points: a cell's
-    // tree may have a level more or less, which is one entry taken and one node opened, in each of one or two
-    // cells, of some forty decisions or more in a search.
+    // Our compact index also has a grid of cells, whose bounds differ for the rotated points. A cell's tree
+    // may have a level more or less, which is one entry taken and one node opened, in one or two cells. A
+    // search has at least some forty decisions.
     constexpr double a_level_more = 0.1;
     std::vector<StabilityCurve> curves = {
         curve_at("compact", sizes, one, Expected::at_most, a_level_more),
         curve_at("flann", sizes, one, Expected::at_most),
-        // Its boxes are not drawn in around their points, so that one may be widest across a wall that all
-        // its points lie on: its middleSplit_ then halves equal coordinates, which shows at some sizes.
+        // Its boxes are not fitted to their points, so one may be widest across a wall that contains all its
+        // points. Its middleSplit_ then halves equal coordinates, which shows at some sizes.
         curve_at("nanoflann", sizes, one, Expected::shown),
         curve_at("planes at the median, axes by turns", sizes, one, Expected::shown)};
     run.for_each_seed([&](std::uint64_t seed) {

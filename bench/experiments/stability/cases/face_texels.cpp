@@ -1,5 +1,5 @@
-// 8. Texels by face: what a mesh cut into ever smaller triangles costs where no lightmap coordinates say what
-// belongs together.
+// 8. Texels by face: the cost of a mesh cut into ever smaller triangles if no lightmap coordinates say which
+// of them belong together.
 #include "bench/experiments/stability/sparse_hits.h"
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/tiled_floor.h"
@@ -12,7 +12,7 @@ constexpr int texels_along = 20;
 constexpr std::size_t texels = texels_along * texels_along;
 constexpr double hits_per_texel = 10;
 
-/// Vertical light of 1 W/m^2.
+/// Makes vertical light of 1 W/m^2.
 common::HitBatch irradiate(const TiledFloor& floor, Generator& generator) {
     constexpr double expected = hits_per_texel * texels;
     const auto flux = static_cast<float>(1 / expected);
@@ -29,7 +29,7 @@ shlm::PreparedTexels by_face(const common::Scene& scene) {
     return {scene, shlm::find_lightmap_uv(scene), texels, shlm::TexelPlacement::face};
 }
 
-/// Each triangle has a chart of its own.
+/// Makes texels where each triangle has its own chart.
 shlm::PreparedTexels by_triangle(const common::Scene& scene) {
     std::vector<shlm::TexelChart> charts;
     for (std::uint32_t t = 0; t < scene.triangle.size(); ++t)
@@ -51,7 +51,7 @@ double variance(const TiledFloor& floor, const shlm::PreparedTexels& prepared, c
 }
 
 std::vector<StabilityCurve> run(const CaseRun& run) {
-    constexpr std::size_t finer = 3;  // the first of the floors have triangles smaller than texels
+    constexpr std::size_t finer = 3;  // the first floors have triangles smaller than texels
     std::vector<TiledFloor> floors;
     std::vector<shlm::PreparedTexels> by_faces, by_triangles;
     std::vector<double> places;

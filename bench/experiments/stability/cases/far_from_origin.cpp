@@ -10,7 +10,7 @@ using common::Vec3;
 constexpr double side = 2, albedo = 0.5;  // of lit_box
 constexpr double distances[] = {1, 10, 100, 1e3, 1e4}, beyond[] = {1e5, 2e5, 4e5, 1e6};
 
-/// Skew, so that its walls are rounded, and moved by so many of its sides.
+/// A box that is rotated, so that its walls are rounded, and moved by this many of its sides.
 struct MovedBox {
     common::Scene scene;
     shlm::PreparedTexels texels;
@@ -21,10 +21,11 @@ struct MovedBox {
           texels(texels_of(scene, 600)) {}
 };
 
-/// A place on a wall, corner + u edge_u + v edge_v, and the start of the next ray off it are rounded three
-/// times by half the last place of the coordinates, along each axis. A photon whose place comes within that
-/// of a neighbouring wall may start behind it: of the places on a wall, those in four strips along its edges.
-/// It then is lost before its next arrival: the sum of (albedo (1 - q))^k lacks q albedo / (1 - albedo).
+/// Rounding affects a point on a wall, corner + u edge_u + v edge_v, and the origin of the next ray. Each is
+/// rounded along each axis, three times in all, by half a unit of the last place. A photon within that
+/// distance of a neighbouring wall may start behind it; such points form four strips along the edges of a
+/// wall. It is then lost before its next arrival: the sum of (albedo (1 - q))^k lacks q albedo / (1 -
+/// albedo).
 double most_lost(double sides) {
     const double last_place = std::ldexp(1.0, std::ilogb((sides + 1) * side) - 23);
     const double strip = std::sqrt(3.0) * 1.5 * last_place;

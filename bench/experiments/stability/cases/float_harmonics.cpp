@@ -1,4 +1,4 @@
-// 10. Accumulation: floats that stop one after the other make a light's direction impossible.
+// 10. Accumulation: float sums that stop growing one after the other give an impossible direction of light.
 #include <numbers>
 
 #include "bench/contenders/plain_sums.h"
@@ -16,18 +16,18 @@ constexpr std::size_t flat = 0, upward = 3 * 2;  // red of the harmonics Y00 and
 
 const shlm::Quantum light({watts, watts, watts});
 
-/// What a hit adds to a number.
+/// Returns what a hit adds to number k.
 float of_hit(std::size_t k) {
     return Model::of_hit({0, 0, 1}, 1)[k / 3] * watts;
 }
 
-/// |L1| / (sqrt(3) L0): 1 where all light comes from one direction, and never more, for of each hit |L1| is
-/// sqrt(3) L0.
+/// Returns |L1| / (sqrt(3) L0). It is 1 where all light comes from one direction, and never more, as each hit
+/// has |L1| = sqrt(3) L0.
 double directedness(double upward_sum, double flat_sum) {
     return upward_sum / (std::numbers::sqrt3 * flat_sum);
 }
 
-/// For each number of hits, ascending, the directedness of that many.
+/// Measures the directedness after each number of hits, in ascending order.
 template <class Sums, class Value>
 void measure(std::span<const double> numbers_of_hits, Value value, StabilityCurve& curve) {
     Sums sums(1, light);
@@ -53,7 +53,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
                                                float_sum_of_equal_adds(of_hit(flat), n));
             },
             Expected::equal, 2 * allowed_of_float_sum),
-        // Of both numbers half a quantum, 2^-25 of 1.5 W or less, and three roundings of 2^-24 to a float.
+        // Either number is off by half a quantum, 2^-25 of at most 1.5 W, and by three roundings of 2^-24 to
+        // a float.
         curve_at("light map", places, one, Expected::equal, 0x1p-24 / of_hit(flat) + 6 * 0x1p-24)};
     const auto of_plain = [](const auto& sums, std::size_t k) { return sums.value(0, k); };
     const auto of_ours = [](const auto& sums, std::size_t k) { return sums[0].value[k]; };

@@ -1,4 +1,4 @@
-// 10. Accumulation: a float's sum of many equal adds goes wrong long before it stops at 2^24 of them.
+// 10. Accumulation: a float sum of equal values is wrong long before it stops at 2^24 of them.
 #include "bench/experiments/stability/float_sums.h"
 
 #include "bench/contenders/plain_sums.h"
@@ -14,7 +14,7 @@ using Ours = shlm::TexelSums<FlatModel>;
 
 const shlm::Quantum white({1, 1, 1});
 
-/// Number k of the only texel.
+/// Returns number k of the only texel.
 template <class Number>
 double value(const PlainSums<FlatModel, Number>& sums, std::size_t k) {
     return sums.value(0, k);
@@ -23,8 +23,8 @@ double value(const Ours& sums, std::size_t k) {
     return sums[0].value[k];
 }
 
-/// For each number of hits, ascending, `measure(i, sums)` of the sums of so many hits; `flux()` is each
-/// one's.
+/// Calls `measure(i, sums)` for each number of hits, in ascending order, with the sums of so many hits.
+/// `flux()` is that of each hit.
 template <class Sums, class Flux, class Measure>
 void add_hits(std::span<const double> numbers_of_hits, Flux flux, Measure measure) {
     Sums sums(1, white);
@@ -36,7 +36,7 @@ void add_hits(std::span<const double> numbers_of_hits, Flux flux, Measure measur
     }
 }
 
-/// Red is summed as 1, green as 0.7.
+/// Red sums 1, green sums 0.7.
 constexpr float green = 0.7f;
 common::Rgb equal() {
     return {1, green, 1};
@@ -51,12 +51,12 @@ void measure_equal_adds(std::span<const double> places, StabilityCurve* red_curv
     });
 }
 
-/// Of all light of 1 W, which is 2^23 quanta, a light map counts whole ones.
+/// Returns the flux rounded to quanta; if the light has 1 W, that is 2^23 quanta.
 double in_quanta(double watts) {
     return std::rint(watts * 0x1p23) * 0x1p-23;
 }
 
-/// Multiples of 2^-24 below 1: up to 2^29 doubles sum them without error.
+/// Adds multiples of 2^-24 below 1, which doubles sum without error up to 2^29.
 template <class Sums>
 void measure_random_adds(std::span<const double> places, StabilityCurve& curve) {
     Generator generator(1);
@@ -82,7 +82,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             "float, 0.7 W each", places,
             [](double n) { return float_sum_of_equal_adds(green, n) / (n * double{green}); }, Expected::equal,
             allowed_of_float_sum),
-        // Below 1 W no add moves a float at 2^24, where the next one is 2 W on.
+        // Below 1 W, no add changes a float at 2^24, where the step is 2 W.
         curve_at("float, 0 to 1 W each", places, [&](double n) { return std::min(1.0, stops / (n / 2)); }),
         curve_at("double, 0.7 W each", places, one),
         curve_at(
@@ -90,12 +90,12 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             0x1p-50),
         curve_at("light map, 0 to 1 W each", places, one)};
     for (std::size_t i = 0; i < places.size(); ++i) {
-        // By chance, five deviations: up to the stop that of roundings to a step, 2^-23 of the sum, and then
-        // that of what the sum would be. A uniform number deviates by 1 / sqrt(12).
+        // Five standard deviations for chance. Below the limit it is that of roundings to a step, 2^-23 of
+        // the sum. Above it, it is that of the exact sum, as a uniform number has the deviation 1 / sqrt(12).
         curves[2].points[i].allowed =
             5 * (places[i] / 2 < stops ? std::sqrt(places[i] / 12) * 0x1p-23 : 1 / std::sqrt(3 * places[i]));
         curves[3].points[i].allowed = places[i] * 0x1p-53;
-        curves[5].points[i].allowed = 2 * 0x1p-24;  // half a quantum each, half a watt
+        curves[5].points[i].allowed = 2 * 0x1p-24;  // half a quantum per hit, which has half a watt
     }
     measure_equal_adds<Floats>(places, &curves[0], curves[1]);
     measure_random_adds<Floats>(places, curves[2]);

@@ -1,4 +1,4 @@
-// 1. Boundary bias: at the free edge of a surface a disc of photons hangs over the edge.
+// 1. Boundary bias: at the free edge of a surface, part of a gather's disc is beyond the edge.
 #include <numbers>
 
 #include "bench/experiments/stability/floor_light.h"
@@ -14,7 +14,8 @@ using common::Vec3;
 constexpr double radius = 0.1;
 constexpr std::size_t texels = 400;
 
-/// A floor of 2 x 2 whose lightmap coordinates are turned by 30 degrees: texels at its edges are cut.
+/// Makes a floor of 2 x 2 whose lightmap coordinates are rotated by 30 degrees, so that texels at its edges
+/// are cut.
 const common::Scene& floor_with_turned_texels() {
     static const common::Scene made = [] {
         common::Scene scene;
@@ -32,12 +33,12 @@ const common::Scene& floor_with_turned_texels() {
     return made;
 }
 
-/// At a distance from the edge x = 1, away from the corners.
+/// Returns points at a distance from the edge x = 1, away from the corners.
 std::vector<SurfacePoint> points_at(double distance) {
     return points_across(floor_with_turned_texels(), 0, 1 - distance / 2);
 }
 
-/// As if every texel were whole.
+/// Sets all texels' areas to that of a whole one.
 void forget_clipping(shlm::PreparedTexels& prepared) {
     float whole = 0;
     for (const shlm::TexelGeometry& texel : prepared.geometry) whole = std::max(whole, texel.area);

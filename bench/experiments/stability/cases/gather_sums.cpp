@@ -1,4 +1,4 @@
-// 10. Accumulation: a photon map sums too, all photons that a gather finds.
+// 10. Accumulation: a photon map also sums, over all photons of a gather.
 #include "bench/experiments/stability/float_sums.h"
 #include "bench/experiments/stability/known_light.h"
 #include "bench/experiments/stability/stability_case.h"
@@ -21,7 +21,7 @@ common::HitBatch equal_photons(double count) {
     return hits;
 }
 
-/// The sum that a gather in the middle has made, which it divides by the area of its disc, over `photons`
+/// Returns the sum of a gather in the middle, which it divides by the area of its disc, relative to `photons`
 /// times their flux.
 template <class Map>
 double sum_of_gather(const Map& map, double photons) {
@@ -30,7 +30,7 @@ double sum_of_gather(const Map& map, double photons) {
     return map.irradiance(middle).x * area / (photons * double{watts});
 }
 
-/// One after the other in a float.
+/// Sums one after the other in a float.
 double sum_of_floats(const common::HitBatch& hits) {
     float sum = 0;
     for (const Rgb& flux : hits.flux) sum += flux.x;
@@ -46,7 +46,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     constexpr double float_answer = 8 * 0x1p-24;
     std::vector<StabilityCurve> curves = {
         curve_at("photon map, all within the radius", places, one, Expected::equal, float_answer),
-        // 64 at a time are added up as floats, each rounded by half a unit of the sum so far.
+        // Groups of 64 are summed as floats, each rounded by half a unit of the sum so far.
         curve_at("photon map, one more than there are nearest", places, one, Expected::equal,
                  float_answer + 64 * 0x1p-25),
         curve_at(

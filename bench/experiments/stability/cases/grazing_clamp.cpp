@@ -1,4 +1,4 @@
-// 11. Grazing light: what the clamp of the cosine takes from uniform light.
+// 11. Grazing light: what the clamp of the cosine removes from uniform light.
 #include <numbers>
 
 #include "bench/experiments/stability/known_light.h"
@@ -15,25 +15,25 @@ using common::Vec3;
 constexpr double pi = std::numbers::pi, tilt = pi / 3;
 constexpr double clamps[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-6}, ours[] = {common::min_incident_cosine};
 
-/// Photons from one height of the sky, all around.
+/// Photons from one elevation, at all azimuths.
 struct Ring {
     double cosine, flux;
 };
 
-/// A uniform hemisphere has irradiance 2 c dc from cosine c, here 8 v^7 dv at c = v^4: the grazing light,
-/// which carries next to nothing, comes in many faint photons, so that chance hardly shows.
+/// A uniform hemisphere has irradiance 2 c dc at cosine c, here 8 v^7 dv with c = v^4. Grazing light, which
+/// carries little flux, is thus sampled by many faint photons, so that noise hardly shows.
 Ring uniform_sky(double v) {
     return {v * v * v * v, 8 * std::pow(v, 7)};
 }
 
-/// Uniform up to this cosine, dark above.
+/// A sky that is uniform up to this cosine and dark above.
 constexpr double top_of_low_sky = 0.02;
 Ring low_sky(double v) {
     return {top_of_low_sky * std::sqrt(v), 1};
 }
 
-/// All photons fall on the same place in the middle: maps read the sum of what they weigh, without the chance
-/// of where they fall.
+/// Makes photons that all arrive at the same point in the middle. Maps then read the sum of their weights,
+/// without noise from their positions.
 HitBatch light_of(Ring ring_at(double), std::size_t rings, Generator& generator) {
     constexpr int turns = 16;
     const common::SurfaceId middle = scene_builder::on_quad(0, 0.5f, 0.5f);
@@ -52,7 +52,7 @@ HitBatch light_of(Ring ring_at(double), std::size_t rings, Generator& generator)
     return hits;
 }
 
-/// Sum of flux times `weight(towards the light)`.
+/// Returns the sum of flux times `weight(towards the light)`.
 template <class Weight>
 double sum_of(const HitBatch& hits, Weight weight) {
     double sum = 0;
@@ -60,7 +60,8 @@ double sum_of(const HitBatch& hits, Weight weight) {
     return sum;
 }
 
-/// What the weight 1 / cos reads without a clamp, as `kernel` of the cosine to the tilted normal takes it in.
+/// Returns what the weight 1 / cos gives without a clamp; `kernel` is applied to the cosine to the tilted
+/// normal.
 template <class Kernel>
 double unclamped(const HitBatch& hits, const Vec3& normal, Kernel kernel) {
     return sum_of(hits, [&](const Vec3& to) { return kernel(std::max(0.0f, to.dot(normal))) / to.z; });
@@ -71,28 +72,29 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     const bool flux_weight = run.has_mutation("the light map has the flux weight");
     const bool upright = run.has_mutation("the photon map is asked for the surface's own normal");
     const std::size_t rings = run.either<std::size_t>(8192, 1024);
-    // Floats: a light map's finished coefficients round a few times by 2^-24. The photon map's sum rounds
-    // once a photon by at most 2^-24 of the sum so far: a walk of random steps.
+    // Rounding to floats: the finished coefficients of a light map round a few times by 2^-24. The photon
+    // map's sum rounds once per photon by at most 2^-24 of the sum so far, which is a random walk.
     const double light_map_rounds = 0x1p-21, walk = 0x1p-24 * std::sqrt(16.0 * static_cast<double>(rings));
     std::vector<StabilityCurve> curves = {
-        // Uniform light has 2 dc of 1 / cos: the clamp at e takes 2 (1 - c / e) dc below e, e in all, of 2.
+        // Uniform light with the weight 1 / cos has 2 dc. Below e, the clamp removes 2 (1 - c / e) dc, in all
+        // e of 2.
         curve_at("order 0, sums of this case's own", clamps, [&](double e) { return part * e; }),
         curve_at(
             "light map, order 0", ours, [](double e) { return e / 2; }, Expected::equal, light_map_rounds),
-        // 2 (1 - c / e) k2(c) dc of 2 k2(c) dc, whose sum is 1.
+        // It removes 2 (1 - c / e) k2(c) dc of 2 k2(c) dc, whose integral is 1.
         curve_at(
             "light map, order 2, own normal", ours,
             [](double e) { return (3 * e / 2 + 16 * e * e / 6 + 15 * e * e * e / 12) / 16; }, Expected::equal,
             light_map_rounds),
-        // The plane tilted by a reads (1 + cos a) / 2. Near the horizon half of all azimuths are in front of
-        // it, with sin a / pi on average, and c cos a / 2 more.
+        // A plane tilted by a reads (1 + cos a) / 2. Near the horizon, half of all azimuths are in front of
+        // it: they contribute sin a / pi on average, plus c cos a / 2.
         curve_at(
             "photon map, normal tilted by 60 degrees", ours,
             [](double e) {
                 return (e * std::sin(tilt) / pi + e * e * std::cos(tilt) / 6) / ((1 + std::cos(tilt)) / 2);
             },
             Expected::equal, walk),
-        // Of 2 c dc / m^2 up to m the surface's own irradiance lacks 1 - c / e below e.
+        // The surface's own irradiance has 2 c dc / m^2 up to m, and lacks the fraction 1 - c / e below e.
         curve_at("light map, what it says it clamped of a low sky", ours,
                  [](double e) { return e * e / 3 / (top_of_low_sky * top_of_low_sky); })};
     const shlm::PreparedTexels texels = texels_of(unit_floor(), 1);
@@ -119,7 +121,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         curves[2].points[0].measured.push_back(lost(
             read(light_map_of(texels, hits, shlm::OwnTexel{}), point),
             unclamped(hits, point.shading_normal, [](double x) { return clamped_cosine_series(2, x); })));
-        // A disc of 1 m^2.
+        // a disc of 1 m^2
         const auto photon_map =
             map_of(photonmap::GridPhotonSink(unit_floor(), within(unit_floor(), 1 / std::sqrt(pi))), hits);
         curves[3].points[0].measured.push_back(

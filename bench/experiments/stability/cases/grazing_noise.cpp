@@ -1,4 +1,4 @@
-// 11. Grazing light: what the weight 1 / cos does to the noise.
+// 11. Grazing light: the effect of the weight 1 / cos on the noise.
 #include <numbers>
 
 #include "bench/experiments/stability/known_light.h"
@@ -16,26 +16,27 @@ constexpr double ours[] = {common::min_incident_cosine};
 constexpr std::size_t side = 32;  // texels, and discs
 constexpr double disc_radius = 0.015;
 
-/// As diffusely_onto, with cosines down to 1e-8.
+/// Draws directions like diffusely_onto, but with cosines down to 1e-8.
 common::Vec3 from_uniform_sky(Generator& generator) {
     const double u = static_cast<double>(generator() >> 11) * 0x1p-53;
     return -common::direction_at(static_cast<float>(std::sqrt(1 - u)), uniform(generator));
 }
 
-/// Second moment over the squared mean of a photon's weight under uniform light, 2 c dc from cosine c.
+/// Returns the second moment over the squared mean of a photon's weight in uniform light, 2 c dc at cosine c.
 double order_0_noise(double e) {
     return (1 + 2 * std::log(1 / e)) / ((2 - e) * (2 - e));  // of 1 / max(c, e)
 }
 
-/// Of k2(c) / max(c, e), where the mean is 1 but for e / 10. Above e: 2 k2^2 / c dc, term by term; below it
-/// k2(0)^2.
+/// Returns the same for k2(c) / max(c, e), whose mean is 1 within e / 10. Above e, 2 k2^2 / c dc is
+/// integrated term by term; below it, k2(0)^2 is used.
 double order_2_noise(double e) {
     const double terms = 9 * std::log(1 / e) + 96 * (1 - e) + 346 * (1 - e * e) / 2 +
                          480 * (1 - e * e * e) / 3 + 225 * (1 - e * e * e * e) / 4;
     return (2 * terms + 9) / (32 * 32);
 }
 
-/// Of the cosine to a plane tilted by a, over max(c, e): by quadrature over v = c^(1/4) and the azimuth.
+/// Returns the same for the cosine to a plane tilted by a, over max(c, e), by quadrature over v = c^(1/4) and
+/// the azimuth.
 double tilted_noise(double a, double e) {
     constexpr int steps = 1000;
     double mean = 0, square = 0;
@@ -51,8 +52,8 @@ double tilted_noise(double a, double e) {
     return square / (mean * mean);
 }
 
-/// Variance of what places read over their mean's square, times the photons that each has. Photons that fall
-/// independently make it the second moment of their weights over the squared mean: 1 for equal weights.
+/// Returns the variance of the readings over their squared mean, times the photons per place. For independent
+/// photons this is the second moment of their weights over the squared mean: 1 for equal weights.
 double noise_of(const std::vector<double>& readings, double photons_each) {
     const auto count = static_cast<double>(readings.size());
     double mean = 0, squares = 0;
@@ -61,7 +62,7 @@ double noise_of(const std::vector<double>& readings, double photons_each) {
     return squares / (count - 1) / (mean * mean) * photons_each;
 }
 
-/// Each texel for its own normal.
+/// Returns the noise of texels, each read at its own normal.
 template <class Model>
 double texel_noise(const HitBatch& hits) {
     static const shlm::PreparedTexels texels = texels_of(unit_floor(), side * side);
@@ -71,11 +72,11 @@ double texel_noise(const HitBatch& hits) {
     return noise_of(readings, static_cast<double>(hits.size()) / static_cast<double>(readings.size()));
 }
 
-/// The same from this case's own sums for any clamp, order 0.
+/// Returns the same from this case's own sums, for any clamp and order 0.
 double own_noise(const HitBatch& hits, double clamp) {
     std::vector<double> sums(side * side);
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        // A coordinate just below 1 may have been rounded to it.
+        // A coordinate just below 1 may have been rounded up to 1.
         const auto texel_along = [](float x) {
             return std::min(static_cast<std::size_t>(x * side), side - 1);
         };
@@ -85,7 +86,7 @@ double own_noise(const HitBatch& hits, double clamp) {
     return noise_of(sums, static_cast<double>(hits.size()) / (side * side));
 }
 
-/// Discs that do not touch, in the middles of the texels.
+/// Returns the noise of discs that do not touch, centred on the texels.
 template <class Map>
 double disc_noise(const Map& map, double disc_area, double angle) {
     std::vector<double> readings;
@@ -108,15 +109,16 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     std::vector<StabilityCurve> curves = {
         curve_at("order 0, sums of this case's own", clamps,
                  [&](double e) { return order_0_noise(std::pow(e, wrong)); }),
-        // The largest weights decide it and hardly ever come: it reads less, or with one of them far more.
+        // The largest weights dominate but are rare: the estimate is too small, or far too large with one of
+        // them.
         curve_at("order 0, lower clamps", low_clamps, order_0_noise, Expected::shown),
         curve_at("light map, order 0", ours, order_0_noise),
-        // The mean is 1 - 3 e / 32, and k2^2 below e a little more than 9 / 1024.
+        // The mean is 1 - 3 e / 32, and below e, k2^2 is a little more than 9 / 1024.
         curve_at("light map, order 2", ours, order_2_noise, Expected::equal, ours[0]),
         curve_at("light map, order 2, normalised", ours, one),
-        // Below e a photon counts by c / e: one in a million.
+        // Below e, a photon counts c / e; this changes the result by one part in a million.
         curve_at("photon map", ours, one, Expected::equal, 1e-6),
-        // Midpoints of 1000 steps and 250: half as many change the result by less than this.
+        // Midpoints of 1000 and 250 steps: half as many change the result by less than this.
         curve_at(
             "photon map, tilted by 60 degrees", ours, [](double e) { return tilted_noise(tilt, e); },
             Expected::equal, 1e-4)};

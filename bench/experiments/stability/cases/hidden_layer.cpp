@@ -1,4 +1,4 @@
-// A dark surface close behind a lit one: its texels are as near to a point as the point's own.
+// A dark surface close behind a lit one: its texels are as close to a point as the point's own.
 #include <algorithm>
 
 #include "bench/experiments/stability/floor_light.h"
@@ -11,7 +11,7 @@ constexpr double width = 2;
 constexpr std::size_t texels_along = 40;
 constexpr double texel = width / texels_along;
 
-/// A floor at z = 0, and another `depth` below it.
+/// Makes a floor at z = 0, and another one `depth` below it.
 common::Scene two_floors(double depth) {
     common::Scene scene = square_floor(width);
     const auto half = static_cast<float>(width / 2), z = static_cast<float>(-depth),
@@ -21,7 +21,7 @@ common::Scene two_floors(double depth) {
     return scene;
 }
 
-/// All over a texel in the floor's middle, which looks like any other.
+/// Returns points all over one texel in the floor's middle, which is like any other.
 std::vector<common::SurfacePoint> points_of_a_texel(const common::Scene& scene) {
     constexpr int steps = 8;
     std::vector<common::SurfacePoint> points;
@@ -31,8 +31,8 @@ std::vector<common::SurfacePoint> points_of_a_texel(const common::Scene& scene) 
     return points;
 }
 
-/// The part of the four nearest texels that are of the upper floor, where both have texels in the same places
-/// of their planes.
+/// Returns the fraction of the four nearest texels that belong to the upper floor. Both floors have texels at
+/// the same x and y.
 double lit_part_of_four(const common::SurfacePoint& point, double depth) {
     std::vector<std::pair<double, double>> near;  // squared distance; 1 above, 0 below
     const double x = point.position.x / texel - 0.5, y = point.position.y / texel - 0.5;

@@ -1,4 +1,4 @@
-// 9. Hits that have no texel, and hits that are no numbers: none is lost without being counted.
+// 9. Hits without a texel, and hits with non-finite numbers: every one that is lost must be counted.
 #include "bench/experiments/stability/faulty_box.h"
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/setup/traced_hits.h"
@@ -12,7 +12,7 @@ using common::RejectedHits;
 using common::Vec3;
 using photonmap::GatherSettings;
 
-/// Copies of the first hit, in each of which one number is none.
+/// Returns copies of the first hit, in each of which one number is not finite.
 HitBatch broken_copies(const HitBatch& hits) {
     constexpr float infinite = std::numeric_limits<float>::infinity();
     HitBatch broken;
@@ -26,7 +26,7 @@ HitBatch broken_copies(const HitBatch& hits) {
     return broken;
 }
 
-/// What has become of the hits that a sink was offered.
+/// What became of the hits that were offered to a sink.
 struct Taken {
     std::uint64_t stored;
     RejectedHits rejected;

@@ -9,7 +9,7 @@ namespace {
 using common::SurfacePoint;
 using common::Vec3;
 
-/// Of 1 x 1, seen and lit from both sides; one texel for each.
+/// Makes a sheet of 1 x 1 that is visible and lit from both sides; each side has one texel.
 const common::Scene& sheet() {
     static const common::Scene made = [] {
         common::Scene scene;
@@ -20,12 +20,12 @@ const common::Scene& sheet() {
     return made;
 }
 
-/// The middle of the dark side.
+/// Returns the middle of the dark side.
 SurfacePoint from_below() {
     return common::surface_point_at(sheet(), scene_builder::on_quad(0, 0.5f, 0.5f), {0, 0, 1});
 }
 
-/// What it would be if a texel did not know its sides: the lit one's, asked for the normal of the dark one.
+/// Returns the point as if the texel had no sides: on the lit side, with the normal of the dark one.
 SurfacePoint with_sides_forgotten(SurfacePoint point) {
     point.front = true;
     point.geometric_normal = -point.geometric_normal;
@@ -39,8 +39,8 @@ double cosine_of(double degrees) {
 std::vector<StabilityCurve> run(const CaseRun& run) {
     constexpr double angles[] = {0, 20, 36, 48, 60, 70, 76, 80};
     const auto dark = [](double) { return 0.0; };
-    // Light of 1 W/m^2 on the sheet at incidence cosine c has 1 / c on a plane that faces it. The dark side's
-    // normal is at cosine -c to it.
+    // Light that gives the sheet 1 W/m^2 at cosine of incidence c gives 1 / c to a plane that faces it. The
+    // normal of the dark side has the cosine -c to it.
     const auto leak_of_order = [](int order) {
         return [order](double degrees) {
             const double c = cosine_of(degrees);

@@ -1,4 +1,4 @@
-// 11. Light from low above the horizon only.
+// 11. Light that comes only from just above the horizon.
 #include <numbers>
 
 #include "bench/experiments/stability/known_light.h"
@@ -24,7 +24,7 @@ const common::Scene& plain_floor() {
     return made;
 }
 
-/// The middles of the texels.
+/// Returns the centres of the texels, with normals tilted by this angle.
 std::vector<SurfacePoint> points_tilted_by(double angle) {
     std::vector<SurfacePoint> points;
     for (int i = 0; i < points_each_way; ++i)
@@ -42,15 +42,16 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     const bool by_sums = run.has_mutation("the weight is not normalised");
     const auto own = [](double e) { return std::sin(e * degree); };
     const auto leaning = [](double e) { return std::sin(e * degree + tilt); };
-    // A light of 1 W/m^2 on the surface is 1 / x on a plane that faces it, x being the cosine of incidence,
-    // and leaning(e) / x on a normal that is tilted towards it. The clamp makes 1 / clamp of 1 / x.
+    // Let x be the cosine of incidence. A light that gives the surface 1 W/m^2 gives 1 / x to a plane that
+    // faces it, and leaning(e) / x at a normal that is tilted towards it. The clamp replaces 1 / x by 1 /
+    // clamp if that is less.
     const auto clamped = [&](double e) { return std::min(1.0, own(e) / clamp); };
     constexpr double rounding = 1e-5;  // of a photon map's sum of some thousand floats
     std::vector<StabilityCurve> curves = {
         curve_at("photon map, own normal", elevations, clamped),
         curve_at("photon map, tilted by 20 degrees", elevations, clamped),
         curve_at("light map, normalised, own normal", elevations, [](double) { return 1.0; }),
-        // The shape's series is scaled from k2(x) to 1: by less than its bound, as k2(x) > x.
+        // The series of the shape is scaled from k2(x) to 1. The factor is below its bound, as k2(x) > x.
         curve_at("light map, normalised, tilted", elevations,
                  [&](double e) {
                      return clamped_cosine_series(2, leaning(e)) / clamped_cosine_series(2, own(e)) /

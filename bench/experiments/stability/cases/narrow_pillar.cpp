@@ -1,4 +1,5 @@
-// The nearest texels of a pillar a few texels round: which they are changes from row to row.
+// Nearest texels on a pillar whose circumference is a few texels: which ones are nearest changes from row to
+// row.
 #include <algorithm>
 #include <cmath>
 
@@ -15,13 +16,13 @@ constexpr int faces = 8, rows = 8;  // each face is one texel wide
 constexpr double radius = 1;
 const double face_width = 2 * radius * std::sin(pi / faces);
 
-/// The middle of face 0 looks along +x, parallel light comes from between that and face 1's normal.
+/// The normal of face 0 is +x. Parallel light comes from between it and the normal of face 1.
 constexpr double light_from = pi / 6;
 double irradiance_of(int face) {
     return std::max(0.0, std::cos(2 * pi * face / faces - light_from));
 }
 
-/// Around the z axis, each face with a lightmap of its own: one column of texels, `height` high.
+/// Makes a pillar around the z axis. Each face has its own lightmap: one column of texels of this height.
 common::Scene pillar(double height) {
     const auto corner = [](int k) {
         const double angle = 2 * pi * (k - 0.5) / faces;
@@ -38,8 +39,8 @@ common::Scene pillar(double height) {
     return scene;
 }
 
-/// On face 1, a quarter of its width from face 0: `above` rows over the middle of each row that has
-/// neighbours.
+/// Distance from face 0, in widths of face 1. Points are on face 1, `above` rows over the middle of each row
+/// that has neighbours.
 constexpr double across = 0.25;
 std::vector<common::SurfacePoint> points_in_rows(const common::Scene& scene, double above) {
     std::vector<common::SurfacePoint> points;
@@ -50,7 +51,8 @@ std::vector<common::SurfacePoint> points_in_rows(const common::Scene& scene, dou
     return points;
 }
 
-/// The mean over the four nearest texels of faces 0, 1 and 2, by their areas as face 1 sees them.
+/// Returns the mean over the four nearest texels of faces 0, 1 and 2, weighted by their areas projected on
+/// face 1.
 double seen_by_nearest(double above, double height) {
     struct Near {
         double distance_sq;

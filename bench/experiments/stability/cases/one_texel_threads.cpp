@@ -18,7 +18,7 @@ using Model = shlm::PaperModel;
 
 constexpr std::size_t numbers = 3 * Model::summed;
 
-/// Uniform light, each photon as bright as chance has it.
+/// Makes uniform light of photons with random flux.
 std::vector<HitBatch> random_batches(std::size_t count, Generator& generator) {
     std::vector<HitBatch> batches(count);
     for (HitBatch& hits : batches) {
@@ -28,10 +28,10 @@ std::vector<HitBatch> random_batches(std::size_t count, Generator& generator) {
     return batches;
 }
 
-/// What a texel has summed, to the bit: its numbers and its hits.
+/// The numbers and the hits that a texel has summed, bit by bit.
 using Sums = std::vector<std::int64_t>;
 
-/// All threads add to the texel at once, each the next batch that nobody has taken.
+/// Adds with all threads at once. Each thread takes the next batch that is left.
 Sums sums_of(std::span<const HitBatch> batches, const shlm::PreparedTexels& texels, int threads) {
     shlm::Accumulator<Model> accumulator(texels.layout, quantum_of(batches.front()));
     std::atomic<std::size_t> next = 0;
@@ -48,7 +48,7 @@ Sums sums_of(std::span<const HitBatch> batches, const shlm::PreparedTexels& texe
     return sums;
 }
 
-/// As many programs do it: every thread has sums of its own, in floats, which are joined in the end.
+/// Does what many programs do: every thread has its own float sums, which are added at the end.
 Sums sums_of_floats(std::span<const HitBatch> batches, int threads) {
     std::array<float, numbers> joined{};
     for (int t = 0; t < threads; ++t) {
@@ -64,8 +64,8 @@ Sums sums_of_floats(std::span<const HitBatch> batches, int threads) {
     return sums;
 }
 
-/// What a photon map of these photons answers, stored and indexed by so many threads, but no more than the
-/// whole run may use.
+/// Returns the answers of a photon map of these photons, stored and indexed by so many threads, but by no
+/// more than the whole run may use.
 std::vector<common::Rgb> answers_of(std::span<const HitBatch> batches, int threads) {
     const auto most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     return common::ThreadPool(std::min(threads, static_cast<int>(most))).run([&] {

@@ -1,4 +1,4 @@
-// 7. Overlapping lightmap coordinates: two surfaces share texels, and each shows the other's light.
+// 7. Overlapping lightmap coordinates: two surfaces share texels, and each shows the light of the other.
 #include <numbers>
 
 #include "bench/experiments/stability/known_light.h"
@@ -13,8 +13,8 @@ constexpr double radius = 0.05;  // of the photon map
 constexpr std::size_t texels_of_a_quad = 40 * 40;
 constexpr std::uint32_t lit_quad = 0, dark_quad = 2;  // first triangles
 
-/// Two quads of 1 x 1, one mesh. Each has half of the lightmap's width; the part `overlap` of it is the
-/// other's too.
+/// Makes two quads of 1 x 1 in one mesh. Each has half of the lightmap's width, and shares the fraction
+/// `overlap` of it with the other.
 common::Scene two_quads(double overlap, float apart) {
     const auto half_from = [](float left) {
         return std::vector<common::Vec2>{{left, 0}, {left + 0.5f, 0}, {left + 0.5f, 1}, {left, 1}};
@@ -29,7 +29,7 @@ common::Scene two_quads(double overlap, float apart) {
     return scene;
 }
 
-/// All over a quad but for `margin`, along the lightmap's u at even distances.
+/// Returns points all over a quad except for `margin`, evenly spaced along the lightmap's u.
 std::vector<SurfacePoint> points_on(const common::Scene& scene, std::uint32_t quad, double margin,
                                     Generator& generator) {
     constexpr int count = 1000;
@@ -42,7 +42,7 @@ std::vector<SurfacePoint> points_on(const common::Scene& scene, std::uint32_t qu
     return points;
 }
 
-/// One amount of overlap: the scene, and how wide its texels are on the quads.
+/// The scene for one overlap, and the width of its texels on the quads.
 struct Overlap {
     common::Scene scene;
     shlm::LightmapUv uv;
@@ -56,7 +56,7 @@ struct Overlap {
           automatic(scene, std::span(&uv, 1), 2 * texels_of_a_quad, remedy),
           texel_width((2 - overlap) / texels.layout.regions()[0].width) {}
 
-    /// As if no texel had more surface than one quad brings.
+    /// Limits the area of each texel to that of a single quad.
     void count_one_surface() {
         const double whole = texel_width / texels.layout.regions()[0].height;
         for (shlm::TexelGeometry& texel : texels.geometry)
@@ -64,15 +64,15 @@ struct Overlap {
     }
 };
 
-// Where both quads use a texel it has the light of one and the area of two: 1/2. Of a texel that an end of
-// the overlap cuts at part p of its width, the one quad has all and the other p. It reads 1 / (1 + p) or
-// p / (1 + p), which over the one quad's part of it is p (1 - p) / (2 (1 + p)) texels more than with texels
-// cut there. That is 0.086 at most, for each of the two ends.
+// Where both quads use a texel, it has the light of one and the area of two: 1/2. At an end of the overlap, a
+// texel may be cut at the fraction p of its width: one quad covers all of it, the other p. It reads 1 / (1 +
+// p) or p / (1 + p). Compared with texels that end there, this is a difference of p (1 - p) / (2 (1 + p))
+// texels over the first quad. It is at most 0.086 for each of the two ends.
 constexpr double largest_by_cut_texels = 2 * 0.0858;
 
-/// The nearest texels are those whose middle is near, and that of a shared one is between the quads, where
-/// nobody finds it. The lit quad sees the 1 - overlap of it that has texels of its own, as far as the lookup
-/// reaches, which is four widths of the largest texel; shared ones have twice the area.
+/// The nearest texels are those whose centre is near. The centre of a shared texel lies between the quads,
+/// where no lookup reaches. The lit quad sees the fraction 1 - overlap that has its own texels, as far as the
+/// lookup reaches: four widths of the largest texel, and shared ones have twice the area.
 double seen_by_nearest(double overlap, double texel_width) {
     if (overlap == 1) return 0;
     const double from_border =
@@ -98,8 +98,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     for (std::size_t i = 0; i < std::size(places); ++i) {
         Overlap& overlap = overlaps.emplace_back(
             places[i], run.has_mutation("the quads are in one place") ? 0.0f : 5.0f, remedy);
-        // Sample points, 128 or more to a quad's width: each end of the overlap, and of the quad, is where
-        // it is within half of their distance, and so is the diagonal that parts its triangles.
+        // The overlap is found by sample points, 128 or more per width of a quad. Each end of the overlap and
+        // of the quad is known to half their distance, and so is the diagonal between its triangles.
         curves[0].points[i].allowed = 3.0 / 128;
         curves[0].points[i].measured = {overlap.uv.overlapping_area / overlap.uv.area};
         curves[3].points[i].allowed = curves[4].points[i].allowed =

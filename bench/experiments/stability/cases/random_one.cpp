@@ -15,8 +15,8 @@ float scaled(std::uint32_t number, int bits) {
     return static_cast<float>(number) * std::ldexp(1.0f, -bits);
 }
 
-/// How many of the numbers with so many bits become 1. Rounding keeps their order, so it is enough to go down
-/// from the largest to the first that stays below; `all` looks at each.
+/// Returns how many of the numbers of `bits` bits become 1. Rounding is monotonic, so it suffices to go down
+/// from the largest to the first that stays below 1; `all` tests each one.
 std::uint64_t become_one(int bits, bool all) {
     const std::uint64_t numbers = std::uint64_t{1} << bits;
     std::uint64_t count = 0;
@@ -28,11 +28,11 @@ std::uint64_t become_one(int bits, bool all) {
     return count;
 }
 
-/// Photons whose first number for the direction of emission is among the 128 of 32 bits that round to 1, with
-/// seed 1. Found by trying photons one after the other.
+/// Photons whose first number for the direction of emission is one of the 128 numbers of 32 bits that round
+/// to 1, with seed 1. They were found by trying photons one after the other.
 constexpr std::uint64_t unlucky_photons[] = {10'223'920, 50'799'660, 123'861'278};
 
-/// What common::random_uniforms makes its first number of.
+/// Returns the word from which common::random_uniforms makes its first number.
 std::uint32_t philox_word(std::uint64_t photon) {
     const auto purpose = static_cast<std::uint32_t>(common::RandomPurpose::emission_direction);
     return r123::Philox4x32{}({{static_cast<std::uint32_t>(photon), 0, 0, purpose}}, {{1, 0}})[0];
@@ -43,7 +43,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     const double share = run.has_mutation("the whole last step rounds up") ? 0x1p-24 : 0x1p-25;
     const bool keeps_all = run.has_mutation("all 32 bits are kept");
     std::vector<StabilityCurve> curves = {
-        // Floats below 1 are 2^-24 apart; what is within half of that from 1, the tie included, goes up.
+        // Floats below 1 are 2^-24 apart. Numbers within half of that from 1, including the tie, are rounded
+        // up.
         curve_at("b random bits, as a float", bits, [&](double b) { return b > 24 ? share * draws : 0; }),
         curve_at("ours, on unlucky photons", ours, [](double) { return 0.0; })};
     for (StabilityPoint& point : curves[0].points) {

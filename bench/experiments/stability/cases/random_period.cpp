@@ -9,7 +9,8 @@
 namespace bench::stability {
 namespace {
 
-/// C++'s std::minstd_rand: x becomes 48271 x modulo the prime 2^31 - 1, through all 2^31 - 2 values but 0.
+/// C++'s std::minstd_rand: x becomes 48271 x modulo the prime 2^31 - 1, which visits all 2^31 - 2 values but
+/// 0.
 constexpr std::uint64_t modulus = std::minstd_rand::modulus, period = modulus - 1;
 
 constexpr std::uint64_t power(std::uint64_t base, std::uint64_t exponent) {
@@ -19,15 +20,15 @@ constexpr std::uint64_t power(std::uint64_t base, std::uint64_t exponent) {
     return result;
 }
 
-/// A photon takes the next `draws` numbers of the one sequence that the seed starts. They are the same again
-/// when photons * draws is a multiple of the period: first after period / gcd(period, draws) photons.
+/// Each photon takes the next `draws` numbers of the seed's single sequence. They repeat when photons * draws
+/// is a multiple of the period: first after period / gcd(period, draws) photons.
 constexpr std::uint64_t photons_until_repeated(std::uint64_t draws) {
     return period / std::gcd(period, draws);
 }
 
 template <std::size_t Draws>
 std::array<std::uint32_t, Draws> minstd_photon(std::uint64_t seed, std::uint64_t photon) {
-    // Jumps ahead to where the photon's numbers begin.
+    // Jumps ahead to the photon's first number.
     std::minstd_rand engine(static_cast<std::uint32_t>(
         seed * power(std::minstd_rand::multiplier, photon % period * Draws % period) % modulus));
     std::array<std::uint32_t, Draws> numbers;
@@ -35,7 +36,7 @@ std::array<std::uint32_t, Draws> minstd_photon(std::uint64_t seed, std::uint64_t
     return numbers;
 }
 
-/// All that this program draws for a photon up to its first bounce.
+/// Returns all numbers that this program draws for a photon up to its first bounce.
 std::array<std::array<float, 4>, 3> our_photon(std::uint64_t seed, std::uint64_t photon) {
     using enum common::RandomPurpose;
     return {common::random_uniforms(seed, photon, 0, emission_origin),

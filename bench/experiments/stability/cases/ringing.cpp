@@ -1,4 +1,4 @@
-// 16. Ringing: harmonics of one hard light go below zero and shine on the back.
+// 16. Ringing: harmonics of a single hard light become negative, and positive on the back.
 #include "bench/experiments/stability/floor_light.h"
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/theory.h"
@@ -11,8 +11,8 @@ using common::Vec3;
 
 constexpr double width = 2;  ///< of a floor that is one texel
 
-/// With bands 1 and 2 times sqrt(3) / 2 and 4/5 the series 1/4 + x/2 + 5/16 (3 x^2 - 1) / 2 becomes a square
-/// and is never negative.
+/// If bands 1 and 2 are multiplied by sqrt(3) / 2 and 4/5, the series 1/4 + x/2 + 5/16 (3 x^2 - 1) / 2
+/// becomes a square, which is never negative.
 double windowed_series(double x) {
     const double root = x + std::numbers::inv_sqrt3;
     return 3.0 / 8 * root * root;
@@ -22,7 +22,7 @@ struct Light {
     Vec3 towards, normal;
 };
 
-/// A light up to 60 degrees off the surface's normal, and a normal at an angle to it, both at random.
+/// Draws a light up to 60 degrees off the surface's normal, and a normal at the given angle to the light.
 Light light_at(double degrees, Generator& generator) {
     const float height = 0.5f + 0.5f * uniform(generator), turn = uniform(generator);
     const Vec3 towards = common::direction_at(height, turn);
@@ -30,7 +30,7 @@ Light light_at(double degrees, Generator& generator) {
     return {towards, common::Frame(towards).to_world(common::direction_at(cosine, uniform(generator)))};
 }
 
-/// One photon with all the light that the floor gets: 1 W/m^2 where it comes straight.
+/// Makes one photon with all the flux that the floor gets from 1 W/m^2 at normal incidence.
 common::HitBatch photon_of(const SurfacePoint& point, const Vec3& towards_light) {
     const auto flux = static_cast<float>(width * width) * towards_light.z;
     common::HitBatch hits;
@@ -38,7 +38,7 @@ common::HitBatch photon_of(const SurfacePoint& point, const Vec3& towards_light)
     return hits;
 }
 
-/// What a map answers, what the series of its only texel is, and what that is with factors on its bands.
+/// The answer of a map, the series of its only texel, and that series with factors on its bands.
 struct Reading {
     double answer, series, windowed;
 };
@@ -78,7 +78,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         curve("L2, windowed by 1, 0.866, 0.8", windowed_series)};
     const common::Scene floor = square_floor(width);
     const shlm::PreparedTexels texel = texels_of(floor, 1);
-    // A disc as large as the floor divides by its area, as the texel does.
+    // A disc of the floor's area divides by the same area as the texel.
     const auto gather = within(floor, width / std::sqrt(scene_builder::pi));
     const bool cut = !run.has_mutation("what is below zero is not cut off");
     const bool tilted = !run.has_mutation("photons are read for the surface's own normal");

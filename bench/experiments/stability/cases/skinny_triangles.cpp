@@ -6,7 +6,8 @@
 namespace bench::stability {
 namespace {
 
-/// A corridor, skew, so that no coordinate is exact: each wall of two triangles as long as it is.
+/// Makes a corridor that is rotated, so that no coordinate is exact. Each wall has two triangles of its full
+/// length.
 common::Scene corridor(float length) {
     return scene_builder::moved(
         scene_builder::closed_box(scene_builder::diffuse({1, 1, 1}), {-length / 2, -0.5f, -0.5f},
@@ -14,11 +15,12 @@ common::Scene corridor(float length) {
         scene_builder::skew_rotation(), {0, 0, 0});
 }
 
-/// Which side of an edge a ray passes is the sign of (edge x place) . direction, rounded by some 2^-24 of its
-/// factors' lengths: of the square of the corridor's length l. A distance d from an edge that the ray is
-/// nearly parallel to, at an angle of 1 / l, makes it l d / l: what is nearer than d = l^2 2^-24 widths is on
-/// either side by chance. One such edge does no harm, as both its triangles agree on the side. A ray slips
-/// through where several are that near: part d of those that are aimed at one edge, and d^2 of all.
+/// Returns the distance from an edge, in widths, below which rounding decides on which side of it a ray
+/// passes. The side is the sign of (edge x place) . direction. It is rounded by some 2^-24 of the lengths of
+/// its factors, which is the square of the corridor's length l. At distance d from an edge that the ray is
+/// nearly parallel to, at an angle of 1 / l, it is l d / l. So the side is random below d = l^2 2^-24. One
+/// such edge does no harm, as both its triangles agree on the side. A ray slips through where several are
+/// that near: a fraction d of those aimed at one edge, and d^2 of all.
 double near_edges(double length) {
     return length * length * 0x1p-24;
 }

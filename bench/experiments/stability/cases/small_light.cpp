@@ -1,4 +1,4 @@
-// 17. Fireflies: a small bright light that is seen in a mirror or through glass.
+// 17. Fireflies: a small bright light, seen in a mirror or through glass.
 #include <fmt/format.h>
 
 #include <array>
@@ -24,12 +24,13 @@ Material light(double size) {
     return scene_builder::diffuse({0, 0, 0}, {radiance, radiance, radiance});
 }
 
-/// 4 x 4 in the plane z = 0, beside the light.
+/// Makes a floor of 4 x 4 in the plane z = 0, beside the light.
 scene_builder::Mesh black_floor() {
     return scene_builder::quad({0.5f, -2, 0}, {4, 0, 0}, {0, 4, 0});
 }
 
-/// A square light of 1 W at the origin shines up to a mirror 1 above: all the floor's light is from there.
+/// Makes a square light of 1 W at the origin, which faces a mirror 1 above. All light on the floor comes by
+/// way of the mirror.
 common::Scene light_in_mirror(double size, float reflectance) {
     const auto s = static_cast<float>(size);
     common::Scene scene;
@@ -40,7 +41,7 @@ common::Scene light_in_mirror(double size, float reflectance) {
     return scene;
 }
 
-/// The light is where its image was, 2 above the floor, and a thin pane half way.
+/// Makes the scene with the light at its mirror image, 2 above the floor, and a thin pane half way.
 common::Scene light_through_glass(double size) {
     constexpr float thickness = 1e-4f;
     const auto s = static_cast<float>(size);
@@ -53,7 +54,7 @@ common::Scene light_through_glass(double size) {
     return scene;
 }
 
-/// Of unpolarised light by a surface of glass (Fresnel).
+/// Returns the reflectance of a glass surface for unpolarised light (Fresnel).
 double reflected(double cosine) {
     const double inside = std::sqrt(1 - (1 - cosine * cosine) / (refraction * refraction));
     const double across = (cosine - refraction * inside) / (cosine + refraction * inside);
@@ -61,7 +62,8 @@ double reflected(double cosine) {
     return (across * across + along * along) / 2;
 }
 
-/// Through both surfaces of a pane, with all reflections between them: (1 - r)^2 (1 + r^2 + r^4 + ...).
+/// Returns the transmittance of a pane's two surfaces with all reflections between them: (1 - r)^2 (1 + r^2 +
+/// r^4 + ...).
 double transmitted(double cosine) {
     const double r = reflected(cosine);
     return (1 - r) / (1 + r);
@@ -71,8 +73,8 @@ double all(double) {
     return 1;
 }
 
-/// Mean of a smooth function over a square or disc whose coordinates have this variance about its center,
-/// exact for polynomials of order 3.
+/// Returns the mean of a smooth function over a square or disc whose coordinates have this variance about its
+/// centre. It is exact for polynomials of order 3.
 template <class Function>
 double mean_around(double x, double y, double variance, Function function) {
     const double step = std::sqrt(2 * variance);
@@ -80,11 +82,12 @@ double mean_around(double x, double y, double variance, Function function) {
            4;
 }
 
-/// What part of the light comes through, by the cosine of its incidence.
+/// The transmitted or reflected fraction of the light, as a function of the cosine of incidence.
 using Share = double (*)(double cosine);
 
-/// Irradiance from a Lambertian light of 1 W, or its image, 2 above: cos^2 / (pi d^2), with d the way and cos
-/// = 2 / d at both ends; the mean over the light and over a place whose coordinates have this variance.
+/// Returns the irradiance from a Lambertian light of 1 W, or its image, 2 above: cos^2 / (pi d^2), where d is
+/// the distance and cos = 2 / d at both ends. It is the mean over the light and over a region whose
+/// coordinates have this variance.
 double irradiance_at(double x, double y, double size, double variance, Share share) {
     return mean_around(x, y, variance, [&](double at_x, double at_y) {
         return mean_around(at_x, at_y, size * size / 12, [&](double dx, double dy) {
@@ -94,8 +97,8 @@ double irradiance_at(double x, double y, double size, double variance, Share sha
     });
 }
 
-/// Photons at all places over their predicted number, and the mean of (photons - predicted)^2 / predicted:
-/// both 1 where photons fall independently and count the same.
+/// Accumulates photons over their predicted number, and the mean of (photons - predicted)^2 / predicted. Both
+/// are 1 for independent photons of equal flux.
 struct Counted {
     double sum = 0, predicted_sum = 0, squares = 0;
 
@@ -108,7 +111,7 @@ struct Counted {
     [[nodiscard]] double noise() const { return squares / (side * side); }
 };
 
-/// As if half the photons were stored, with twice the flux.
+/// Acts as if half the photons were stored, with twice the flux.
 void keep_every_other(common::HitBatch& hits) {
     const std::size_t kept = hits.size() / 2;
     for (std::size_t i = 0; i < kept; ++i)
@@ -123,7 +126,7 @@ struct Setup {
     Share share;
 };
 
-/// Mean and noise of the photon map, then of the light map.
+/// Returns mean and noise of the photon map, then of the light map.
 std::array<double, 4> measure(const Setup& setup, const shlm::PreparedTexels& texels, std::uint64_t seed,
                               const CaseRun& run) {
     const common::Scene& scene = setup.scene;
@@ -136,7 +139,7 @@ std::array<double, 4> measure(const Setup& setup, const shlm::PreparedTexels& te
         const common::SurfacePoint point = scene_builder::front_of(
             scene, scene_builder::on_quad(floor_triangle, (static_cast<float>(place % side) + 0.5f) / side,
                                           (static_cast<float>(place / side) + 0.5f) / side));
-        // A photon has 1 W x the number emitted: irradiance x area counts photons.
+        // A photon has 1 W times the number emitted, so irradiance x area is a number of photons.
         const auto count = [&](Counted& counted, const auto& map, double area, double variance) {
             const double irradiance =
                 irradiance_at(point.position.x, point.position.y, setup.size, variance, setup.share);
@@ -150,7 +153,7 @@ std::array<double, 4> measure(const Setup& setup, const shlm::PreparedTexels& te
 }
 
 std::vector<StabilityCurve> run(const CaseRun& run) {
-    // The means by four points leave (size / distance)^4 and less of it; the pane moves light by its
+    // The means by four points have an error below (size / distance)^4. The pane moves light by its
     // thickness.
     constexpr double series = 1e-4, moved = 1e-4, shares_of_all = 1e-3;
     const auto one = [](double) { return 1.0; };

@@ -10,7 +10,7 @@ using common::SurfacePoint;
 
 constexpr double radius = 0.1;  // of the photon map
 
-/// 1 W in `count` photons, anywhere on the floor.
+/// Makes `count` photons of 1 W together, at random positions on the floor.
 common::HitBatch irradiate(const TiledFloor& floor, std::size_t count, Generator& generator) {
     const float flux = 1 / static_cast<float>(count);
     common::HitBatch hits;
@@ -23,7 +23,7 @@ common::HitBatch irradiate(const TiledFloor& floor, std::size_t count, Generator
     return hits;
 }
 
-/// Those that a rasteriser keeps which fills a texel if its center is covered.
+/// Returns the hits on triangles that a rasteriser keeps which fills texels whose centres are covered.
 common::HitBatch on_triangles_with_center(const TiledFloor& floor, const common::HitBatch& hits) {
     const std::vector<bool> has_center = floor.has_texel_center();
     common::HitBatch kept;
@@ -54,7 +54,7 @@ double largest_error_of_area(const shlm::PreparedTexels& texels) {
     return largest;
 }
 
-/// No nearer to an edge than `margin`.
+/// Returns points at least `margin` from every edge.
 std::vector<SurfacePoint> points_on(const TiledFloor& floor, double margin, Generator& generator) {
     std::vector<SurfacePoint> points;
     for (int i = 0; i < 400; ++i) {
@@ -75,14 +75,15 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     std::vector<StabilityCurve> curves = {
         curve_at("photon map, irradiance", places, [&](double) { return disc; }),
         curve_at("light map, own texel, irradiance", places, one),
-        // Of single hits half a quantum, and the last bits of floats: 2^-24 each, at worst all alike.
+        // A single hit is off by half a quantum, and floats by their last bits: 2^-24 each, in the worst case
+        // all in the same direction.
         curve_at("light map, flux kept", places, one, Expected::equal, 1e-6),
-        // Corners are floats in texels, right to 2^-20; against the smallest legs, 0.14 texels, that
-        // is 1.4e-5 of a triangle's area at worst, and of a texel's if all are alike.
+        // Corners are floats in units of texels, exact to 2^-20. The smallest legs are 0.14 texels, so this
+        // is at worst 1.4e-5 of a triangle's area, and of a texel's if all errors have the same sign.
         curve_at(
             "light map, largest error of a texel's area", places, [](double) { return 0.0; }, Expected::equal,
             2e-5),
-        // Each texel's center lies in one triangle: there are no more such triangles than texels.
+        // The centre of each texel lies in one triangle, so there are no more such triangles than texels.
         curve_at(
             "flux kept by triangles with a texel center", places,
             [](double area) { return std::min(1.0, area); }, Expected::at_most)};

@@ -1,4 +1,4 @@
-// 8. Sparse texels: how the noise of few hits depends on their number.
+// 8. Sparse texels: how noise depends on the number of hits when they are few.
 #include "bench/experiments/stability/sparse_hits.h"
 #include "bench/experiments/stability/stability_case.h"
 
@@ -13,8 +13,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     const SparseFloor floor;
     constexpr double places[] = {0.1, 0.3, 1, 3, 10};
     const auto of_photon_map = [&](double n) {
-        // The k-th nearest has a Gamma(k) number of photons, x, within its distance on average; k - 1 over x
-        // has the mean 1 and the second moment (k - 1)^2 / ((k - 1) (k - 2)).
+        // The expected number of photons x within the distance of the k-th nearest is Gamma(k) distributed.
+        // (k - 1) / x has the mean 1 and the second moment (k - 1)^2 / ((k - 1) (k - 2)).
         const double variance = 1.0 / (k - 2);
         return run.has_mutation("the photon map's noise falls with its photons") ? variance / n : variance;
     };

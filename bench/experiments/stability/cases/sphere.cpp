@@ -1,4 +1,4 @@
-// 2. Topological bias on a sphere: none in parallel light, which makes a sphere a blind test.
+// 2. Topological bias on a sphere: there is none in parallel light, so a sphere cannot reveal it.
 #include "bench/experiments/stability/known_light.h"
 #include "bench/experiments/stability/stability_case.h"
 #include "common/tracer/ray_scene.h"
@@ -8,9 +8,9 @@ namespace {
 
 using common::Vec3;
 
-constexpr float reach = 1.1f;  ///< photons are as far from the top as this, and a little farther
+constexpr float reach = 1.1f;  ///< photons extend slightly farther from the top than this
 
-/// Of radius 1; no edge of its facets is longer than longest_edge.
+/// Makes a sphere of radius 1, whose facets have no edge longer than longest_edge.
 const common::Scene& sphere() {
     static const common::Scene made = [] {
         common::Scene scene;
@@ -21,9 +21,9 @@ const common::Scene& sphere() {
 }
 constexpr double longest_edge = 0.04;
 
-/// A photon in each cell of a grid over the unit square, at random within it: as even as photons can be, so
-/// that bias shows in the noise. `ray(u1, u2)` is how it comes to the sphere, from where and which way;
-/// `direction(normal)` how it arrives there. Together they carry `power`, W.
+/// Makes one photon in each cell of a grid over the unit square, at random within the cell. Such even photons
+/// have so little noise that bias shows. `ray(u1, u2)` returns the origin and direction of a photon's ray,
+/// and `direction(normal)` the direction in which it arrives. Together they carry `power`, W.
 template <class Ray, class Direction>
 common::HitBatch light(const common::RayScene& rays, int cells, double power, Generator& generator, Ray ray,
                        Direction direction) {
@@ -41,9 +41,9 @@ common::HitBatch light(const common::RayScene& rays, int cells, double power, Ge
     return hits;
 }
 
-/// Of 1 W/m^2, straight down onto the top.
+/// Makes light of 1 W/m^2 that comes straight down onto the top.
 common::HitBatch parallel_light(const common::RayScene& rays, int cells, Generator& generator) {
-    // The chord s and the distance sin a from the axis: s = 2 sin(a / 2).
+    // The chord s belongs to the distance sin a from the axis, where s = 2 sin(a / 2).
     const float widest = reach * std::sqrt(1 - reach * reach / 4);
     const Vec3 down(0, 0, -1);
     return light(
@@ -55,7 +55,7 @@ common::HitBatch parallel_light(const common::RayScene& rays, int cells, Generat
         [&](const Vec3&) { return down; });
 }
 
-/// From all sides, 1 W/m^2 everywhere.
+/// Makes light from all sides with 1 W/m^2 everywhere.
 common::HitBatch even_light(const common::RayScene& rays, int cells, Generator& generator) {
     const float lowest = 1 - reach * reach / 2;
     return light(
@@ -69,18 +69,19 @@ common::HitBatch even_light(const common::RayScene& rays, int cells, Generator& 
 
 std::vector<StabilityCurve> run(const CaseRun& run) {
     constexpr double radii[] = {0.1, 0.2, 0.35, 0.6, 1};
-    // What is within s of a point of a sphere has the area pi s^2 (Archimedes). In parallel light each
-    // photon counts as much as its cosine makes photons rare, and the area is what is read. In light from all
-    // sides a photon at s counts (1 + cos a) / 2 = 1 - s^2 / 4 in the mean, and s^2 is r^2 / 2.
+    // The part of a sphere within s of one of its points has the area pi s^2 (Archimedes). In parallel light,
+    // a photon's weight compensates the density of photons at its angle, so the estimate is that area. In
+    // light from all sides, a photon at s counts (1 + cos a) / 2 = 1 - s^2 / 4 on average, and the mean of
+    // s^2 is r^2 / 2.
     const bool as_cylinder = run.has_mutation("a sphere is taken for a cylinder");
     const bool flat = run.has_mutation("photons are taken for those of a plane");
-    // A flat equilateral facet of edge e has 1 - 5 e^2 / 24 R^2 of the area above it.
+    // A flat equilateral facet of edge e has 1 - 5 e^2 / 24 R^2 of the area of the sphere above it.
     constexpr double allowed = longest_edge * longest_edge / 4;
     std::vector<StabilityCurve> curves = {
         curve_at(
             "photon map, parallel light", radii, [&](double r) { return as_cylinder ? 1 + r * r / 32 : 1; },
             Expected::equal, allowed),
-        // Cosines below the least that is divided by darken by half of it.
+        // Cosines below the clamp e of the divisor reduce the estimate by e / 2.
         curve_at(
             "photon map, light from all sides", radii, [&](double r) { return flat ? 1 : 1 - r * r / 8; },
             Expected::equal, allowed + common::min_incident_cosine / 2)};

@@ -1,4 +1,4 @@
-// 4. Proximity bias: under a near light the mean over a disc, or a texel, is not the value in its middle.
+// 4. Proximity bias: under a near light, the mean over a disc or texel differs from the value in its middle.
 #include "bench/experiments/stability/floor_light.h"
 #include "bench/experiments/stability/stability_case.h"
 
@@ -11,9 +11,9 @@ using common::Vec3;
 constexpr double texels_along = 3;  ///< an odd number: one is right below the light
 constexpr double pi = std::numbers::pi;
 
-/// Photons of a point light at height 1 above the middle of the floor, of 1 W/m^2 right below it, in the
-/// first channel. The second has the same photons as if light were 1 W/m^2 everywhere: the difference is
-/// bias, almost without the noise that both share.
+/// Makes photons of a point light at height 1 above the middle of the floor, with 1 W/m^2 right below it, in
+/// the first channel. The second channel has the same photons for 1 W/m^2 everywhere. The difference is bias,
+/// almost without the noise that both have in common.
 HitBatch photons_of_lamp(const common::Scene& floor, std::size_t count, Generator& generator) {
     HitBatch hits;
     irradiate_quad(hits, floor, 0, count, generator, always({0, 0, -1}));
@@ -26,14 +26,14 @@ HitBatch photons_of_lamp(const common::Scene& floor, std::size_t count, Generato
     return hits;
 }
 
-// Right below the light, relative to 1 / H^2. H = 1.
+// Losses right below the light, relative to 1 / H^2, with H = 1.
 
-/// The disc is a cone's base: its solid angle, 2 pi (1 - 1 / sqrt(1 + r^2)), is the light on it.
+/// The disc is the base of a cone of solid angle 2 pi (1 - 1 / sqrt(1 + r^2)), which is the flux on it.
 double loss_of_disc(double r) {
     return 1 - 2 / (r * r) * (1 - 1 / std::sqrt(1 + r * r));
 }
 
-/// A square is a pyramid's base, of solid angle 4 asin(a^2 / (a^2 + 1)), a = h / 2.
+/// The square is the base of a pyramid of solid angle 4 asin(a^2 / (a^2 + 1)), where a = h / 2.
 double loss_of_square(double h) {
     const double a_sq = h * h / 4;
     return 1 - 4 * std::asin(a_sq / (a_sq + 1)) / (h * h);

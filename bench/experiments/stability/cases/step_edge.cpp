@@ -1,4 +1,4 @@
-// 5. Blur: how wide the edge of a shadow becomes.
+// 5. Blur: the width that the edge of a shadow gets.
 #include "bench/experiments/stability/floor_light.h"
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/theory.h"
@@ -8,21 +8,21 @@ namespace {
 
 constexpr double width = 8, radius = 1;  ///< a texel is 1 wide
 constexpr std::size_t texels = 64;
-constexpr int offsets = 16;  ///< of the edge against the texels, evenly over a texel, for each seed
-constexpr int points = 8;    ///< for each offset and place
+constexpr int offsets = 16;  ///< of the edge relative to the texels, evenly over a texel, per seed
+constexpr int points = 8;    ///< per offset and distance
 
-// At x from the edge, which is anywhere in its texel: the means over its place. Lengths in texels; x > 0 in
-// the shadow.
+// Means at distance x from the edge, over all positions of the edge in its texel. Lengths are in texels; x >
+// 0 is in the shadow.
 
-/// The texel holds the mean over its width, and its middle is anywhere within half a width: light of a step
-/// convolved with two boxes. This is the probability of two uniform numbers to add up to more than 1 + x.
+/// The texel holds the mean over its width, and its centre is uniformly within half a width: a step convolved
+/// with two boxes. This is the probability that two uniform numbers add up to more than 1 + x.
 double read_by_own_texel(double x) {
     if (x < 0) return 1 - read_by_own_texel(-x);
     return x < 1 ? (1 - x) * (1 - x) / 2 : 0;
 }
 
-/// Bilinear weights are a box convolved with itself: three boxes in all, and the probability that three
-/// uniform numbers add up to more than 3/2 + x.
+/// Bilinear weights are a box convolved with itself, so there are three boxes. This is the probability that
+/// three uniform numbers add up to more than 3/2 + x.
 double read_bilinearly(double x) {
     if (x < 0) return 1 - read_bilinearly(-x);
     if (x > 1.5) return 0;
@@ -30,7 +30,7 @@ double read_bilinearly(double x) {
     return std::pow(rest, 3) / 6 - (rest > 1 ? std::pow(rest - 1, 3) / 2 : 0);
 }
 
-/// By the midpoint rule over the point's place in its texel.
+/// Integrates with the midpoint rule over the point's position in its texel.
 double read_by_four_nearest(double x) {
     constexpr int steps = 60;
     double sum = 0;
@@ -44,7 +44,7 @@ double read_by_four_nearest(double x) {
     return sum / steps / steps;
 }
 
-/// Means over points along the edge, at random against the texels' rows.
+/// Returns the mean over points along the edge, at random positions relative to the texels' rows.
 template <class Map>
 double mean_along(const Map& map, const common::Scene& floor, double x, Generator& generator) {
     std::vector<common::SurfacePoint> asked;
@@ -56,7 +56,8 @@ double mean_along(const Map& map, const common::Scene& floor, double x, Generato
 std::vector<StabilityCurve> run(const CaseRun& run) {
     static const common::Scene floor = square_floor(width);
     constexpr double places[] = {-1.5, -1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1, 1.5};
-    // The integrand jumps where another texel becomes the fourth: 5e-4 off what 1000 steps give.
+    // The integrand jumps where another texel becomes the fourth: the error is 5e-4, compared with 1000
+    // steps.
     constexpr double quadrature = 1e-3;
     std::vector<StabilityCurve> curves = {
         curve_at("photon map, radius r", places, segment_of_disc),

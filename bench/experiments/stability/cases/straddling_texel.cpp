@@ -1,4 +1,4 @@
-// 3. A texel that a wall runs across: its light is that of both rooms.
+// 3. A texel that a wall crosses: it mixes the light of both rooms.
 #include "bench/experiments/stability/floor_light.h"
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/theory.h"
@@ -11,10 +11,10 @@ using common::SurfacePoint;
 constexpr double width = 2;
 constexpr std::size_t texels = 100;
 constexpr double texel = 0.2;
-/// A disc as large as a texel.
+/// The radius of a disc with the area of a texel.
 const double radius = texel / std::sqrt(std::numbers::pi);
 
-/// A floor, and where light ends on it.
+/// A floor, and the position where light ends on it.
 struct Rooms {
     common::Scene scene;
     shlm::PreparedTexels prepared;
@@ -26,12 +26,12 @@ Rooms with_texels(common::Scene scene, float light_ends) {
     return {std::move(scene), std::move(prepared), light_ends};
 }
 
-/// `f` of a texel's width is on the lit side.
+/// Makes a floor where the fraction `f` of a texel's width is on the lit side.
 Rooms on_one_chart(double f) {
     return with_texels(square_floor(width), static_cast<float>(f * texel));
 }
 
-/// The dark room's floor is its own mesh, and so are its texels; the lit room's comes first.
+/// Makes the floor of each room as its own mesh with its own texels; the lit room comes first.
 Rooms on_two_charts(double f) {
     const auto light_ends = static_cast<float>(f * texel);
     common::Scene scene;
@@ -41,7 +41,7 @@ Rooms on_two_charts(double f) {
     return with_texels(std::move(scene), light_ends);
 }
 
-/// Along the middle of the dark part of the texel: at x = (1 + f) / 2 of its width.
+/// Returns points along the middle of the dark part of the texel, at x = (1 + f) / 2 of its width.
 std::vector<SurfacePoint> dark_points_of_one_chart(const Rooms& rooms, double f) {
     return points_across(rooms.scene, 0, 0.5 + (1 + f) / 2 * texel / width);
 }
@@ -54,7 +54,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     constexpr double parts[] = {0.1, 0.3, 0.5, 0.7, 0.9};
     std::vector<StabilityCurve> curves = {
         curve_at("light map, own texel", parts, [](double f) { return f; }),
-        // At (1 + f) / 2 of the texel the next one, which is dark, weighs f / 2.
+        // At (1 + f) / 2 of the texel, the next texel, which is dark, has the weight f / 2.
         curve_at("light map, bilinear", parts, [](double f) { return f * (1 - f / 2); }),
         curve_at("light map, own texel, charts end at the wall", parts, [](double) { return 0.0; }),
         curve_at("light map, bilinear, charts end at the wall", parts, [](double) { return 0.0; }),

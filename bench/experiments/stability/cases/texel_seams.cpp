@@ -1,4 +1,4 @@
-// 6. Texel seams: where the lightmap is cut, a lookup in the lightmap does not see across.
+// 6. Texel seams: a lookup in the lightmap does not cross the places where the lightmap is cut.
 #include <algorithm>
 
 #include "bench/experiments/stability/known_light.h"
@@ -12,10 +12,10 @@ using common::SurfacePoint;
 constexpr int texels_along = 20;  // of each chart, which is 1 x 1
 constexpr double texel_width = 1.0 / texels_along;
 constexpr double slope = 0.9;               // of the irradiance 1 + slope x, W/m^2 per unit of length
-constexpr double off_middle = 0.3;          // of its row of texels: how far each point lies, in texels
+constexpr double off_middle = 0.3;          // distance of each point from the middle of its row, in texels
 constexpr double radius = 2 * texel_width;  // of the photon map
 
-/// One floor for the eye, two charts for the lightmap: cut at x = 0.
+/// Makes a floor that is smooth to the eye, but cut at x = 0 into two charts.
 const common::Scene& cut_floor() {
     static const common::Scene made = [] {
         common::Scene scene;
@@ -27,7 +27,8 @@ const common::Scene& cut_floor() {
     return made;
 }
 
-/// A photon somewhere in each of `cells` x `cells` cells of a chart: less noise than with chance alone.
+/// Places one photon at random in each of `cells` x `cells` cells of a chart, which has less noise than
+/// independent photons.
 void irradiate_chart(common::HitBatch& hits, std::uint32_t chart, int cells, Generator& generator) {
     const float width = 1 / static_cast<float>(cells);
     for (int j = 0; j < cells; ++j)
@@ -41,7 +42,7 @@ void irradiate_chart(common::HitBatch& hits, std::uint32_t chart, int cells, Gen
         }
 }
 
-/// At x = `place` texels from the cut, in rows well inside.
+/// Returns points at x = `place` texels from the cut, in rows well inside.
 std::vector<SurfacePoint> points_at(double place) {
     const double x = place * texel_width;
     std::vector<SurfacePoint> points;
@@ -52,23 +53,23 @@ std::vector<SurfacePoint> points_at(double place) {
     return points;
 }
 
-// Errors in units of texel_width * slope. A texel holds the mean over itself, which of a linear function is
-// what it is at the middle; so an error is the distance to the middle of the texels that answer.
+// Errors are in units of texel_width * slope. A texel holds its mean, which for a linear function is the
+// value at its centre. So an error is the distance to the centre of the texels that answer.
 
 double middle_of_texel(double place) {
     return std::floor(place) + 0.5;
 }
 
-/// Linear between the middles of texels, but not across the cut: within half a texel of it the own texel is
-/// alone.
+/// The lookup is linear between the centres of texels, but not across the cut: within half a texel of it,
+/// only the own texel counts.
 double error_of_bilinear(double place) {
     return std::abs(place) < 0.5 ? middle_of_texel(place) - place : 0;
 }
 
-/// At distance d from the middle of its column and `off_middle` from that of its row a point has the own
-/// texel and the next one in both directions; the fourth is the one diagonal to it, at (1 - d)^2 + (1 -
-/// off_middle)^2, or the one on the far side, at (1 + d)^2 + off_middle^2, whichever is nearer. With the
-/// first the mean is that at the border, with the second that at the own middle.
+/// Let d be the distance from the middle of the own column, and `off_middle` that from the middle of the row.
+/// The nearest texels are the own one and the next one in both directions. The fourth is the diagonal one, at
+/// (1 - d)^2 + (1 - off_middle)^2, or the one on the far side, at (1 + d)^2 + off_middle^2, whichever is
+/// nearer. With the former the mean is the value at the border, with the latter that at the own centre.
 double error_of_nearest(double place) {
     const double middle = middle_of_texel(place), border = std::round(place);
     return (std::abs(place - middle) < 0.25 - off_middle / 2 ? middle : border) - place;
@@ -76,7 +77,7 @@ double error_of_nearest(double place) {
 
 std::vector<StabilityCurve> run(const CaseRun& run) {
     const common::Scene& scene = cut_floor();
-    // On both sides of every jump.
+    // Places on both sides of every jump.
     std::vector<double> places = {0.02, 0.2, 0.38, 0.42, 0.5, 0.58, 0.62, 0.8, 0.98, 1.02, 1.2, 1.38};
     for (std::size_t i = 0; i < 12; ++i) places.push_back(-places[i]);
     std::sort(places.begin(), places.end());

@@ -1,4 +1,4 @@
-// 3. Light leaks under a thin wall: a disc of photons does not see it.
+// 3. Light leaks under a thin wall, which a disc of photons does not see.
 #include "bench/experiments/stability/floor_light.h"
 #include "bench/experiments/stability/stability_case.h"
 #include "bench/experiments/stability/theory.h"
@@ -16,7 +16,8 @@ const common::Scene& one_floor() {
     return made;
 }
 
-/// The radius of the disc whose lit part, beyond a straight line at `distance`, is `part` of the floor.
+/// Returns the radius of the disc whose lit part, beyond a straight line at `distance`, is the fraction
+/// `part` of the floor.
 double radius_that_holds(double part, double distance) {
     double low = distance, high = width;
     for (int step = 0; step < 50; ++step) {
@@ -26,10 +27,10 @@ double radius_that_holds(double part, double distance) {
     return high;
 }
 
-/// What the k nearest read in the mean of N photons that were sent to the whole floor, of which those that
-/// would have fallen beyond the wall do not arrive. u, the part of the floor that is lit and nearer than the
-/// k-th, is a k-th order statistic: its distribution is Beta(k, N - k + 1). With R for u from above, the
-/// k - 1 inside read (k - 1) / N times floor / (pi R^2), which is (k - 1) / (N u) times the lit part of the
+/// Returns the mean estimate of the k nearest, for N photons that are sent to the whole floor, of which those
+/// beyond the wall do not arrive. Let u be the fraction of the floor that is lit and nearer than the k-th. It
+/// is a k-th order statistic, distributed as Beta(k, N - k + 1). With R for u by radius_that_holds, the k - 1
+/// photons inside read (k - 1) / N times floor / (pi R^2), which is (k - 1) / (N u) times the lit part of the
 /// disc.
 double read_by_nearest(double distance, std::size_t photons) {
     const auto k = static_cast<double>(nearest_photons), n = static_cast<double>(photons);
@@ -43,7 +44,7 @@ double read_by_nearest(double distance, std::size_t photons) {
     return sum / weights;
 }
 
-/// What the four nearest texels read at the points, of which those with centers at x < 0 are lit.
+/// Returns the estimate of the four nearest texels at the points; texels with centres at x < 0 are lit.
 double read_by_texels(const std::vector<common::SurfacePoint>& points) {
     const auto lit = [](double column, double) { return column < 0 ? 1.0 : 0.0; };
     double sum = 0;
@@ -65,7 +66,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
     std::vector<StabilityCurve> curves = {
         curve_at("photon map, r = 0.1", places, [](double d) { return segment_of_disc(d / radius); }),
         curve_at("photon map, 50 nearest, no maximum radius", places, by_nearest),
-        // At 0.12 the maximum radius still holds 108 photons or more, in the mean: as good as always 50.
+        // At 0.12 the maximum radius still holds 108 photons or more on average, so there are practically
+        // always 50.
         curve_at("photon map, 50 nearest, maximum radius 0.14", places,
                  [&](double d) { return d < farthest ? by_nearest(d) : 0; }),
         curve_at("light map, own texel", places, [](double) { return 0.0; }),

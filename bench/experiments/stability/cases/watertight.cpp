@@ -6,7 +6,7 @@
 namespace bench::stability {
 namespace {
 
-/// As its name says, but for so many missing triangles.
+/// Makes a sphere without its last `missing` triangles.
 common::Scene sphere(int levels, std::size_t missing) {
     scene_builder::Mesh mesh = scene_builder::sphere({0, 0, 0}, 1, levels);
     mesh.triangle.resize(mesh.triangle.size() - missing);
@@ -15,7 +15,7 @@ common::Scene sphere(int levels, std::size_t missing) {
     return scene;
 }
 
-/// Rays are aimed at all of a sphere, and cast at what is there of it.
+/// Rays are aimed at the whole sphere, and traced in what is left of it.
 struct Sphere {
     common::Scene whole, there;
     common::RayScene robust;
@@ -25,9 +25,9 @@ struct Sphere {
         : whole(sphere(levels, 0)), there(sphere(levels, missing)), robust(there), plain(there) {}
 };
 
-/// A ray that passes a vertex nearer than rounding sees the sign of each edge's function by chance: it misses
-/// all n triangles there if all signs are the same, once in 2^(n - 1). Six vertices of an octahedron have 4
-/// edges, those that come with halving 6; rays are aimed at corners of triangles.
+/// If a ray passes a vertex closer than rounding, the sign of each edge function is random. The ray misses
+/// all n triangles there if all signs agree, with probability 2^(1 - n). The six vertices of the octahedron
+/// have 4 edges, those from subdivision 6. Rays are aimed at corners of triangles.
 double chance_of_slipping_through(double triangles) {
     const double corners = 3 * triangles, at_octahedron = 6 * 4;
     return (at_octahedron / 8 + (corners - at_octahedron) / 32) / corners;

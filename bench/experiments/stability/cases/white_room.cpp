@@ -5,13 +5,13 @@
 namespace bench::stability {
 namespace {
 
-// Between the first two, so few photons would be given up that a run may have none.
+// Between the first two albedos, so few photons would be terminated that a run may have none.
 constexpr double albedos[] = {0.99, 0.9995, 0.9999, 1};
 constexpr float white_share = 1.0f / 128;  ///< of the light
 constexpr std::uint32_t white_triangles = 12;
 
-/// Two closed boxes, each with a light. The second is black and has most of the light, so that few photons
-/// of a block go on for long.
+/// Makes two closed boxes, each with a light. The second is black and has most of the light, so that few
+/// photons of a block have long paths.
 common::Scene white_and_black_room(float albedo) {
     common::Scene scene = lit_box(albedo);
     for (const scene_builder::Mesh& wall : scene_builder::box_walls({3, -1, -1}, {5, 1, 1}))
@@ -32,8 +32,8 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
         return albedo == 1 ? limit / common::max_events
                            : (1 - given_up(place)) / (1 - albedo) / common::max_events;
     };
-    // At each arrival roulette rounds a photon's flux twice, and some slip through where walls meet: at most
-    // as many as in far-from-origin, 5.2 x 2^-23 of them in a box within [-1, 1].
+    // At each arrival, roulette rounds a photon's flux twice. Some photons slip through where walls meet: at
+    // most as many as in far-from-origin, 5.2 x 2^-23 of them in a box within [-1, 1].
     constexpr double leaks = common::max_events * 6 * 0x1p-23,
                      rounding = common::max_events * 0x1p-23 + leaks;
     std::vector<StabilityCurve> curves = {
@@ -48,7 +48,7 @@ std::vector<StabilityCurve> run(const CaseRun& run) {
             const auto [hits, report] =
                 traced(white_and_black_room(static_cast<float>(albedos[i])), seed,
                        {.photons = common::photons_per_block * run.either<std::uint64_t>(8, 1)});
-            // The black walls end each of their photons at its first arrival.
+            // The black walls end each of their photons at the first arrival.
             const auto in_black = static_cast<double>(std::count_if(
                 hits.surface.begin(), hits.surface.end(),
                 [](const common::SurfaceId& surface) { return surface.triangle >= white_triangles; }));

@@ -22,7 +22,7 @@ class PhotonStorage {
     /// std::bad_alloc past max_photons.
     void append(std::span<const common::HitBatch> wave);
 
-    /// Returns the same photons in the order of common::morton_order.
+    /// Returns the same photons in the order of photonmap::morton_order.
     [[nodiscard]] PhotonStorage sorted_along_curve() &&;
 
     /// Returns the same photons in the order of `order`, which has each index once.

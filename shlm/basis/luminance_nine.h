@@ -32,7 +32,7 @@ struct LuminanceNine {
         const common::Rgb own = evaluate_series<2>(light, y);
         set_rgb(numbers, 0, own);
         const float grey_own = common::mean_component(own);
-        if (grey_own <= 0) return numbers;  // as in LuminanceFour
+        if (grey_own <= 0) return numbers;  // as in AmbientAndDirection
         const auto grey = grey_of(light);
         for (std::size_t i = 1; i < grey.size(); ++i) numbers[2 + i] = grey[i] / grey_own;
         return numbers;

@@ -50,7 +50,7 @@ class OwnTexelLookup {
     TexelPlaces places_;
 };
 
-/// The four texels around the point in its mesh instance's rectangle of the lightmap, weighted by their
+/// The four texels around the point in its chart's rectangle of the lightmap, weighted by their
 /// covered areas too, without those that face another way. It does not interpolate across seams of the
 /// lightmap.
 class BilinearLookup {

@@ -13,7 +13,7 @@ namespace bench::fit {
 struct Estimates {
     Halves truth;            ///< the estimate against which all bias is measured
     double truth_doubt = 0;  ///< standard error of a squared bias that is due to the noise of `truth` alone
-    std::size_t best = 0;    ///< the candidate with the least expected error
+    std::size_t best = 0;    ///< the candidate with the least bias^2 + noise^2 / 2 plus one standard error
     std::vector<common::Rgb> best_answers;  ///< its answers combined with the truth: denominators of errors
     std::vector<std::optional<ErrorModel>> model;
     std::vector<bool> measured;  ///< false where the model is extrapolated from a coarser candidate

@@ -11,7 +11,7 @@ ROOT = Path(__file__).resolve().parents[1]
 # one stands for itself; its own files may always include each other.
 FLOORS = [
     ["common/core"],
-    ["common/scene"],
+    ["common/scene", "common/gltf_writing"],
     ["common/estimator"],
     ["common/gltf", "common/tracer", "common/point_index", "common/image"],
     ["common/view", "common/difference"],
@@ -27,7 +27,7 @@ FLOORS = [
     ["bench/experiments/stability/cases"],
     ["bench/app"],
 ]
-SCENES = ("bench/scenes", ("common/core", "common/scene"))  # writes files and knows no renderer
+SCENES = ("bench/scenes", ("common/core", "common/scene", "common/gltf_writing"))  # writes files and knows no renderer
 
 
 def floor_of(folder):

@@ -27,6 +27,7 @@
 #include "common/core/progress.h"
 #include "common/core/standard_streams.h"
 #include "common/core/threads.h"
+#include "common/difference/flip.h"
 #include "common/gltf/source_files.h"
 #include "common/reference/reference_image.h"
 #include "common/scene/fingerprint.h"
@@ -94,7 +95,7 @@ common::TraceTarget target_of(const ExportOptions& options) {
 
 ExportPlan make_plan(const ExportOptions& options) {
     ExportPlan plan{options, {}, {}, options.methods.settings(), target_of(options)};
-    for (const Contender& contender : parse_contenders("--method", options.names)) {
+    for (const Contender& contender : parse_contenders("--method", parse_list("--method", options.names))) {
         if (contender.light_map())
             plan.maps.push_back(exported(contender));
         else
@@ -129,7 +130,9 @@ void stop_if_interrupted() {
 
 /// What the camera sees, at the reference's pixels where there is one.
 AnsweredView view_of(const ExportOptions& options, const LoadedScene& loaded) {
-    AnsweredView view{160, 90, {}, {}};
+    AnsweredView view;
+    view.width = 160;
+    view.height = 90;
     if (options.reference.empty()) {
         view.pixel = common::visible_surfaces(loaded.rays, loaded.camera, view.width, view.height);
         return view;
@@ -225,6 +228,26 @@ std::string hash_of(std::string_view bytes) {
     return fmt::format("{:016x}", hash);
 }
 
+/// Of all answers where there is a reference, which is the first.
+void add_flip(AnsweredView& view) {
+    if (view.answers.front().first != "reference") return;
+    const std::vector<common::Rgb>& truth = view.answers.front().second;
+    std::vector<common::Rgb> of_points;
+    for (std::size_t p = 0; p < truth.size(); ++p)
+        if (view.pixel[p].present) of_points.push_back(truth[p]);
+    const common::Exposures exposures = common::exposures_for(of_points);
+    for (const auto& [name, answers] : view.answers)
+        if (name != "reference")
+            view.flip.emplace_back(name,
+                                   common::flip_map(answers, truth, view.width, view.height, exposures));
+}
+
+void find_places(AnsweredView& view, std::span<const LitPrimitive> primitives) {
+    const PrimitivePoints points(primitives);
+    for (const common::VisibleSurface& seen : view.pixel)
+        view.place.push_back(seen.present ? points.find(seen.point) : std::nullopt);
+}
+
 Json summary(const ExportPlan& plan, const FilledMaps& made, const ExportedRun& run, const LightAtlas& atlas,
              const std::string& glb) {
     Json context = provenance();
@@ -239,12 +262,15 @@ Json summary(const ExportPlan& plan, const FilledMaps& made, const ExportedRun& 
             {"maps", std::move(maps)},        {"lit.glb", {{"bytes", glb.size()}, {"fnv1a", hash_of(glb)}}}};
 }
 
-void write(const ExportPlan& plan, const FilledMaps& made, const LoadedScene& loaded,
+void write(const ExportPlan& plan, FilledMaps& made, const LoadedScene& loaded,
            const shlm::PreparedTexels& texels) {
     const ExportedRun run{loaded.name, common::fingerprint(loaded.scene), plan.options.run.seed,
                           made.trace.hits, made.trace.fates.emitted};
     const LightAtlas atlas = make_light_atlas(texels.layout, texels.geometry);
-    const std::string glb = lit_glb({loaded, texels, atlas, made.maps, run});
+    const std::vector<LitPrimitive> primitives = lit_primitives(loaded.scene, texels.layout, atlas);
+    find_places(made.view, primitives);
+    add_flip(made.view);
+    const std::string glb = lit_glb({loaded, texels, atlas, primitives, made.maps, run});
     const Json all = summary(plan, made, run, atlas, glb);
     const std::string page = viewer_page(glb, all, made.view);
     stop_if_interrupted();
@@ -287,10 +313,10 @@ const RegisteredCommand registered(
      .add_to = [](Command& command) -> std::function<void()> {
          const auto options = std::make_shared<ExportOptions>();
          command.option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb", Need::required);
-         command.option(
-             "--method", options->names,
-             "Light maps, shlm/BASIS/WEIGHT/bilinear, the first of which is the light map of other "
-             "programs; photon maps to compare with");
+         command.option("--method", options->names,
+                        "Light maps, shlm/BASIS/WEIGHT/bilinear, separated by commas, the first of which is "
+                        "the light map of other "
+                        "programs; photon maps to compare with");
          command.option("--hits", options->hits, "Trace until there are at least this many hits, e.g. 1e7");
          command.option("--photons", options->photons, "Trace exactly this many photons");
          command.option("--map", options->map, "Trace nothing: take a light map's sums from trace's file");

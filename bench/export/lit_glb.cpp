@@ -7,10 +7,10 @@
 #include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "bench/export/lightmap_files.h"
-#include "common/core/input_error.h"
+#include "common/gltf_writing/model_parts.h"
+#include "common/image/image.h"
 
 namespace bench {
 namespace {
@@ -18,11 +18,8 @@ namespace {
 using common::Rgb;
 using common::Vec3;
 using Imath::V4f;
+namespace gltf_writing = common::gltf_writing;
 using tinygltf::Value;
-
-std::vector<double> to_doubles(const Vec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 /// The same as a value of tinygltf's.
 Value to_value(const nlohmann::ordered_json& json) {
@@ -59,73 +56,32 @@ class GlbBuilder {
         for (const common::Material& material : scene_.loaded.scene.material)
             add_material(material, lightmap);
         add_camera();
-        for (const LitPrimitive& primitive :
-             lit_primitives(scene_.loaded.scene, scene_.texels.layout, scene_.atlas))
-            add_primitive(primitive);
+        for (const LitPrimitive& primitive : scene_.primitives) add_primitive(primitive);
         add_maps();
-        std::ostringstream stream;
-        if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, stream, false, true))
-            throw common::InputError("lit.glb: cannot be made into glTF");
-        return std::move(stream).str();
+        return gltf_writing::glb_bytes(model_, "lit.glb");
     }
 
   private:
-    void use_extension(const std::string& name) {
-        auto& used = model_.extensionsUsed;
-        if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+    template <class T>
+    int add_view(std::span<const T> items) {
+        return gltf_writing::add_view(std::as_bytes(items), 0, model_);
     }
 
-    // --- the buffer
-
+    /// A column that may be empty.
     template <class T>
-    int add_view(std::span<const T> items, int target = 0) {
-        auto& data = model_.buffers.front().data;
-        data.resize((data.size() + 3) / 4 * 4);
-        tinygltf::BufferView view;
-        view.buffer = 0;
-        view.byteOffset = data.size();
-        view.byteLength = items.size_bytes();
-        view.target = target;
-        const auto* bytes = reinterpret_cast<const unsigned char*>(items.data());
-        data.insert(data.end(), bytes, bytes + items.size_bytes());
-        model_.bufferViews.push_back(std::move(view));
-        return static_cast<int>(model_.bufferViews.size()) - 1;
-    }
-
-    template <class T>
-    int add_accessor(const std::vector<T>& items, int type, int component, int target) {
-        tinygltf::Accessor accessor;
-        accessor.bufferView = add_view(std::span<const T>(items), target);
-        accessor.componentType = component;
-        accessor.type = type;
-        accessor.count = items.size();
-        model_.accessors.push_back(std::move(accessor));
-        return static_cast<int>(model_.accessors.size()) - 1;
-    }
-
-    template <class T>
-    void add_attribute(tinygltf::Primitive& primitive, const std::string& name, const std::vector<T>& items) {
-        if (items.empty()) return;
-        constexpr int type = sizeof(T) == 8    ? TINYGLTF_TYPE_VEC2
-                             : sizeof(T) == 12 ? TINYGLTF_TYPE_VEC3
-                                               : TINYGLTF_TYPE_VEC4;
-        primitive.attributes[name] =
-            add_accessor(items, type, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
+    void add_column(tinygltf::Primitive& primitive, const std::string& name, const std::vector<T>& items) {
+        if (!items.empty()) primitive.attributes[name] = gltf_writing::add_attribute(items, model_);
     }
 
     // --- textures and materials
 
     int add_picture(const std::string& name, int width, int height, int components,
-                    std::vector<unsigned char> pixels, int sampler) {
-        tinygltf::Image image;
+                    const std::vector<unsigned char>& pixels, int sampler) {
+        const std::vector<std::byte> png = common::encode_png(width, height, components, pixels);
+        tinygltf::Image image;  // in the buffer, where binary glTF wants it
         image.name = name;
         image.mimeType = "image/png";
-        image.width = width;
-        image.height = height;
-        image.component = components;
-        image.bits = 8;
-        image.pixel_type = TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
-        image.image = std::move(pixels);
+        image.bufferView = add_view(std::span(png));
         tinygltf::Texture texture;
         texture.source = static_cast<int>(model_.images.size());
         texture.sampler = sampler;
@@ -161,7 +117,7 @@ class GlbBuilder {
             }
             const auto [wrap_u, wrap_v] = texture.wrap();
             add_picture(texture.name(), texture.width(), texture.height(), static_cast<int>(components),
-                        std::move(bytes), add_sampler(wrap_u, wrap_v, texture.filtering()));
+                        bytes, add_sampler(wrap_u, wrap_v, texture.filtering()));
         }
     }
 
@@ -182,7 +138,7 @@ class GlbBuilder {
             }
         return add_picture(
             "irradiance", static_cast<int>(atlas.places.width()), static_cast<int>(atlas.places.height()), 3,
-            std::move(bytes),
+            bytes,
             add_sampler(common::Wrap::clamp_to_edge, common::Wrap::clamp_to_edge, common::Filter::linear));
     }
 
@@ -209,40 +165,18 @@ class GlbBuilder {
                         : in.alpha_mode == common::AlphaMode::mask ? "MASK"
                                                                    : "BLEND";
         out.alphaCutoff = in.alpha_cutoff;
-        if (in.emits()) set_emission(in.emitted_radiance, out);
-        if (in.kind == SurfaceKind::dielectric || in.kind == SurfaceKind::thin_sheet) set_glass(in, out);
+        if (in.emits()) gltf_writing::set_emission(in.emitted_radiance, out, model_);
+        if (in.kind == SurfaceKind::dielectric || in.kind == SurfaceKind::thin_sheet)
+            gltf_writing::set_glass(in.index_of_refraction, in.kind == SurfaceKind::dielectric, out, model_);
         if (in.kind == SurfaceKind::diffuse) {
             Value::Object extension;
             extension["index"] = Value(lightmap);
             extension["texCoord"] = Value(1);
             extension["intensity"] = Value(static_cast<double>(intensity_));
             out.extensions["MOZ_lightmap"] = Value(std::move(extension));
-            use_extension("MOZ_lightmap");
+            gltf_writing::use_extension(model_, "MOZ_lightmap");
         }
         model_.materials.push_back(std::move(out));
-    }
-
-    void set_emission(const Rgb& radiance, tinygltf::Material& material) {
-        const float strength = common::max_component(radiance);
-        material.emissiveFactor = to_doubles(radiance / strength);
-        Value::Object extension;
-        extension["emissiveStrength"] = Value(static_cast<double>(strength));
-        material.extensions["KHR_materials_emissive_strength"] = Value(std::move(extension));
-        use_extension("KHR_materials_emissive_strength");
-    }
-
-    void set_glass(const common::Material& in, tinygltf::Material& material) {
-        Value::Object transmission, ior, volume;
-        transmission["transmissionFactor"] = Value(1.0);
-        ior["ior"] = Value(static_cast<double>(in.index_of_refraction));
-        material.extensions["KHR_materials_transmission"] = Value(std::move(transmission));
-        material.extensions["KHR_materials_ior"] = Value(std::move(ior));
-        use_extension("KHR_materials_transmission");
-        use_extension("KHR_materials_ior");
-        if (in.kind == common::SurfaceKind::thin_sheet) return;
-        volume["thicknessFactor"] = Value(1.0);
-        material.extensions["KHR_materials_volume"] = Value(std::move(volume));
-        use_extension("KHR_materials_volume");
     }
 
     // --- nodes
@@ -279,21 +213,17 @@ class GlbBuilder {
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
         primitive.material = material_of(instance.material, in.both_faces);
-        add_attribute(primitive, "POSITION", in.position);
-        Imath::Box3f bounds;
-        for (const Vec3& p : in.position) bounds.extendBy(p);
-        model_.accessors.back().minValues = to_doubles(bounds.min);
-        model_.accessors.back().maxValues = to_doubles(bounds.max);
-        add_attribute(primitive, "NORMAL", in.normal);
-        add_attribute(primitive, "TANGENT", in.tangent);
+        primitive.attributes["POSITION"] = gltf_writing::add_positions(in.position, model_);
+        add_column(primitive, "NORMAL", in.normal);
+        add_column(primitive, "TANGENT", in.tangent);
         for (std::size_t i = 0; i < most_texcoord_sets; ++i)
-            add_attribute(primitive, fmt::format("TEXCOORD_{}", gltf_set(static_cast<int>(i))),
-                          in.texcoord[i]);
-        add_attribute(primitive, "TEXCOORD_1", in.light_texcoord);
-        add_attribute(primitive, "_LIGHTMAP_RECT", in.light_rectangle);
-        add_attribute(primitive, "COLOR_0", in.color);
-        primitive.indices = add_accessor(in.index, TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                                         TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+            add_column(primitive, fmt::format("TEXCOORD_{}", gltf_set(static_cast<int>(i))), in.texcoord[i]);
+        add_column(primitive, "TEXCOORD_1", in.light_texcoord);
+        // Sets have to be numbered from 0 on.
+        if (in.texcoord[0].empty()) primitive.attributes["TEXCOORD_0"] = primitive.attributes["TEXCOORD_1"];
+        add_column(primitive, "_LIGHTMAP_RECT", in.light_rectangle);
+        add_column(primitive, "COLOR_0", in.color);
+        primitive.indices = gltf_writing::add_indices(in.index, model_);
         tinygltf::Mesh mesh;
         mesh.name = instance.name;
         mesh.primitives.push_back(std::move(primitive));
@@ -318,8 +248,8 @@ class GlbBuilder {
 
     /// A value for each pixel that shows a texel, zero elsewhere.
     template <class T, class Of>
-    [[nodiscard]] std::vector<T> picture_of(Of of) const {
-        std::vector<T> picture(scene_.atlas.pixel_count(), T{});
+    [[nodiscard]] std::vector<T> picture_of(const T& zero, Of of) const {
+        std::vector<T> picture(scene_.atlas.pixel_count(), zero);
         for (std::size_t p = 0; p < picture.size(); ++p)
             if (scene_.atlas.shown[p] != shlm::no_texel) picture[p] = of(std::size_t{scene_.atlas.shown[p]});
         return picture;
@@ -340,7 +270,7 @@ class GlbBuilder {
     void add_maps() {
         const StoredTexels& first = scene_.maps.front().texels;
         // What is covered is what the exact filter weighs: a gutter's pixels only show a neighbour's light.
-        std::vector<V4f> faces = picture_of<V4f>([&](std::size_t texel) {
+        std::vector<V4f> faces = picture_of(V4f(0.0f), [&](std::size_t texel) {
             const Vec3& n = first.face[texel].normal;
             return V4f(n.x, n.y, n.z, 0);
         });
@@ -357,8 +287,10 @@ class GlbBuilder {
             entry["layers"] = (map.texels.numbers + 3) / 4;
             maps.push_back(std::move(entry));
         }
+        const Imath::V3d& origin = scene_.loaded.scene.origin;
         nlohmann::ordered_json extension = {{"scene", scene_.run.scene},
                                             {"fingerprint", scene_.run.fingerprint},
+                                            {"origin", {origin.x, origin.y, origin.z}},
                                             {"seed", scene_.run.seed},
                                             {"hits", scene_.run.hits},
                                             {"atlas", description_of(scene_.atlas)},
@@ -366,7 +298,7 @@ class GlbBuilder {
                                             {"hits_of_texels", add_view(std::span<const float>(hits))},
                                             {"maps", std::move(maps)}};
         model_.extensions[lightmap_extension] = to_value(extension);
-        use_extension(lightmap_extension);
+        gltf_writing::use_extension(model_, lightmap_extension);
     }
 
     const LitScene& scene_;

@@ -16,6 +16,7 @@ struct LitScene {
     const LoadedScene& loaded;
     const shlm::PreparedTexels& texels;
     const LightAtlas& atlas;
+    std::span<const LitPrimitive> primitives;
     std::span<const ExportedMap> maps;  ///< of these texels, at least one; the first is the light map
     const ExportedRun& run;
 };
@@ -26,7 +27,8 @@ struct LitScene {
 /// Lit materials have MOZ_lightmap: irradiance of the texel's own normal, linear, 8 bits, its largest value
 /// as intensity. Lights are left out, as the map has their light.
 ///
-/// The extension at the top has the maps' numbers: buffer views of RGBA halves, layer by layer as many as
+/// The extension at the top has the place in the file's coordinates that is (0, 0, 0) here
+/// (common::Scene::origin), and the maps' numbers: buffer views of RGBA halves, layer by layer as many as
 /// hold a texel's numbers, rows from the top; "faces", RGBA floats: unit normal and covered area, 0 where no
 /// triangle covers the texel; "hits", floats.
 ///

@@ -50,6 +50,7 @@ class PrimitiveBuilder {
         for (std::size_t i = 0; i < 3; ++i) corner[i] = vertex(triangle, i, rectangle, own);
         if (made_.back) std::swap(corner[1], corner[2]);
         made_.index.insert(made_.index.end(), corner.begin(), corner.end());
+        made_.triangle.push_back(triangle);
         made_.lit |= rectangle != nullptr;
     }
 
@@ -147,6 +148,21 @@ class PrimitiveBuilder {
 };
 
 }  // namespace
+
+PrimitivePoints::PrimitivePoints(std::span<const LitPrimitive> primitives) {
+    for (std::uint32_t p = 0; p < primitives.size(); ++p)
+        for (std::uint32_t t = 0; t < primitives[p].triangle.size(); ++t)
+            place_[{primitives[p].triangle[t], primitives[p].back}] = {p, t};
+}
+
+std::optional<PrimitivePoint> PrimitivePoints::find(const common::SurfacePoint& point) const {
+    const auto found = place_.find({point.surface.triangle, !point.front});
+    if (found == place_.end()) return std::nullopt;
+    const auto [primitive, triangle] = found->second;
+    const float u = point.surface.u, v = point.surface.v;
+    if (point.front) return PrimitivePoint{primitive, triangle, u, v};
+    return PrimitivePoint{primitive, triangle, v, u};  // a back's corners are turned round
+}
 
 TexcoordUse texcoord_use(const common::Material& material) {
     TexcoordUse use;

@@ -4,10 +4,12 @@
 #include <Imath/ImathVec.h>
 
 #include <array>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "bench/export/light_atlas.h"
-#include "common/scene/scene.h"
+#include "common/scene/surface_point.h"
 #include "shlm/layout/texel_places.h"
 
 namespace bench {
@@ -40,6 +42,25 @@ struct LitPrimitive {
     std::vector<Imath::V4f> light_rectangle;
     std::vector<Imath::V4f> color;  ///< linear, with alpha; empty where the scene has none
     std::vector<std::uint32_t> index;
+    std::vector<std::uint32_t> triangle;  ///< of the scene, for each three indices
+};
+
+/// A point of a primitive: barycentric coordinates as in common::SurfaceId, of its own triangle's corners.
+struct PrimitivePoint {
+    std::uint32_t primitive, triangle;
+    float u, v;
+};
+
+/// Finds surface points among primitives.
+class PrimitivePoints {
+  public:
+    explicit PrimitivePoints(std::span<const LitPrimitive> primitives);
+
+    /// None where no primitive has that side of the triangle.
+    [[nodiscard]] std::optional<PrimitivePoint> find(const common::SurfacePoint& point) const;
+
+  private:
+    std::map<std::pair<std::uint32_t, bool>, std::pair<std::uint32_t, std::uint32_t>> place_;
 };
 
 /// Vertices are doubled where charts or tangents end. `layout`: that which `atlas` is of.

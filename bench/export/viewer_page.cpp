@@ -11,7 +11,9 @@
 #include <stdexcept>
 
 #include "bench/export/viewer_assets.h"
+#include "common/difference/flip.h"
 #include "common/estimator/irradiance_estimator.h"
+#include "common/view/render.h"
 #include "shlm/basis/sh_basis.h"
 
 namespace bench {
@@ -55,25 +57,41 @@ void append(std::vector<float>& floats, float x, float y, float z) {
     floats.insert(floats.end(), {x, y, z});
 }
 
-/// Positions, NaN where a pixel sees no surface; then each answer. Three floats a pixel.
+/// Places, four floats a pixel: primitive, triangle, u, v; the primitive is -1 where a pixel sees no surface.
+/// Then, three floats a pixel: positions; radiance towards the camera for an irradiance of 1 and for 0, which
+/// mirrors and glass on the way are part of; each answer. Then one float a pixel for each FLIP map.
 std::string view_floats(const AnsweredView& view) {
     std::vector<float> floats;
-    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    for (const std::optional<PrimitivePoint>& place : view.place) {
+        const PrimitivePoint at = place.value_or(PrimitivePoint{0, 0, 0, 0});
+        const float primitive = place ? static_cast<float>(at.primitive) : -1;
+        floats.insert(floats.end(), {primitive, static_cast<float>(at.triangle), at.u, at.v});
+    }
     for (const common::VisibleSurface& seen : view.pixel) {
-        const common::Vec3 at = seen.present ? seen.point.position : common::Vec3(none, none, none);
+        const common::Vec3 at = seen.present ? seen.point.position : common::Vec3(0, 0, 0);
         append(floats, at.x, at.y, at.z);
     }
+    for (const bool lit : {true, false})
+        for (const common::VisibleSurface& seen : view.pixel) {
+            const common::Rgb dark = common::radiance_towards_camera(seen, common::Rgb(0, 0, 0));
+            const common::Rgb radiance =
+                lit ? common::radiance_towards_camera(seen, common::Rgb(1, 1, 1)) - dark : dark;
+            append(floats, radiance.x, radiance.y, radiance.z);
+        }
     for (const auto& [name, answers] : view.answers)
         for (const common::Rgb& answer : answers) append(floats, answer.x, answer.y, answer.z);
+    for (const auto& [name, map] : view.flip) floats.insert(floats.end(), map.begin(), map.end());
     std::string bytes(floats.size() * sizeof(float), '\0');
     std::memcpy(bytes.data(), floats.data(), bytes.size());
     return bytes;
 }
 
 Json description_of(const AnsweredView& view) {
-    Json names = Json::array();
-    for (const auto& [name, answers] : view.answers) names.push_back(name);
-    return {{"width", view.width}, {"height", view.height}, {"answers", names}};
+    Json answers = Json::array(), flip = Json::array();
+    for (const auto& [name, values] : view.answers) answers.push_back(name);
+    for (const auto& [name, map] : view.flip)
+        flip.push_back({{"of", name}, {"mean", common::flip_mean(map)}});
+    return {{"width", view.width}, {"height", view.height}, {"answers", answers}, {"flip", flip}};
 }
 
 /// JSON that cannot end the script element that it stands in.

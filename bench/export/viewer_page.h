@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/export/lit_mesh.h"
 #include "common/view/visible_surfaces.h"
 
 namespace bench {
@@ -14,10 +15,14 @@ namespace bench {
 /// against.
 struct AnsweredView {
     int width = 0, height = 0;
-    std::vector<common::VisibleSurface> pixel;  ///< row by row from the top left one
+    std::vector<std::optional<PrimitivePoint>> place;  ///< of each pixel's point in lit.glb
+    std::vector<common::VisibleSurface> pixel;         ///< row by row from the top left one
     /// By name, "reference" among them where there is one: irradiance at each pixel's point, W/m^2; zero
     /// where the pixel sees no surface.
     std::vector<std::pair<std::string, std::vector<common::Rgb>>> answers;
+    /// By the name of an answer: what a viewer sees of its error at each pixel (common::flip_map), where
+    /// there is a reference.
+    std::vector<std::pair<std::string, std::vector<float>>> flip;
 };
 
 /// Larger scenes are not put into the page, which then asks for lit.glb.

@@ -19,6 +19,7 @@ REPORTS = {  # module, arguments, what it makes
     "billion-figure": ("report.claims.billion_figure", "FOLDER", "figure.png: the atrium at a billion hits"),
     "figures": ("report.figures", "[--write] TEXT.md...", "whether the figures of texts are those of their data; --write puts these in"),
     "page": ("report.page.page", "OUT.html FOLDER...", "one page of all results, to be opened by double click"),
+    "realtime": ("report.realtime", "PROGRAM...", "what a browser's fragment programs answer, and what they cost; --help says the rest"),
     "elsewhere": ("report.elsewhere.report", "PROGRAM...", "the methods on scenes that others made; --help says the rest"),
 }
 

@@ -5,21 +5,18 @@
 
 #include <map>
 #include <span>
-#include <sstream>
 
-#include "common/core/input_error.h"
 #include "common/core/output_file.h"
+#include "common/gltf_writing/model_parts.h"
 
 namespace scenes {
 namespace {
 
+using namespace common::gltf_writing;
+using common::gltf_writing::to_doubles;  // beside the one for matrices
 using tinygltf::Value;
 
 constexpr double aspect_ratio = 16.0 / 9.0;
-
-std::vector<double> to_doubles(const Vec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 std::vector<double> to_doubles(const Imath::M44f& m) {
     // Imath's rows of row vectors have the memory layout of glTF's columns of column vectors.
@@ -35,11 +32,6 @@ Imath::M44f looking_along(const Vec3& eye, const Vec3& forward, const Vec3& up) 
 
 Vec3 any_perpendicular(const Vec3& v) {
     return (v % (std::abs(v.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0))).normalized();
-}
-
-void use_extension(tinygltf::Model& model, const std::string& name) {
-    auto& used = model.extensionsUsed;
-    if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
 }
 
 void add_texture(const Image& image, tinygltf::Model& model) {
@@ -66,30 +58,6 @@ void add_sampler(tinygltf::Model& model) {
     model.samplers.push_back(std::move(sampler));
 }
 
-void set_emission(const Rgb& radiance, tinygltf::Material& material, tinygltf::Model& model) {
-    const float strength = common::max_component(radiance);
-    material.emissiveFactor = to_doubles(radiance / strength);
-    Value::Object extension;
-    extension["emissiveStrength"] = Value(static_cast<double>(strength));
-    material.extensions["KHR_materials_emissive_strength"] = Value(std::move(extension));
-    use_extension(model, "KHR_materials_emissive_strength");
-}
-
-/// Makes glass with an interior: without KHR_materials_volume it would be a thin sheet. The thickness matters
-/// only if the volume absorbs, which this one does not.
-void set_glass(float index_of_refraction, tinygltf::Material& material, tinygltf::Model& model) {
-    Value::Object transmission, ior, volume;
-    transmission["transmissionFactor"] = Value(1.0);
-    ior["ior"] = Value(static_cast<double>(index_of_refraction));
-    volume["thicknessFactor"] = Value(1.0);
-    material.extensions["KHR_materials_transmission"] = Value(std::move(transmission));
-    material.extensions["KHR_materials_ior"] = Value(std::move(ior));
-    material.extensions["KHR_materials_volume"] = Value(std::move(volume));
-    use_extension(model, "KHR_materials_transmission");
-    use_extension(model, "KHR_materials_volume");
-    use_extension(model, "KHR_materials_ior");
-}
-
 void add_material(const common::Material& in, tinygltf::Model& model) {
     using common::SurfaceKind;
     tinygltf::Material out;
@@ -109,53 +77,19 @@ void add_material(const common::Material& in, tinygltf::Model& model) {
         extras["tangents"] = Value(std::string("derivatives"));
         out.normalTexture.extras = Value(std::move(extras));
     }
-    if (in.kind == SurfaceKind::dielectric) set_glass(in.index_of_refraction, out, model);
+    if (in.kind == SurfaceKind::dielectric) set_glass(in.index_of_refraction, true, out, model);
     if (in.emits()) set_emission(in.emitted_radiance, out, model);
     model.materials.push_back(std::move(out));
-}
-
-/// Appends `items` to the buffer and returns their accessor.
-template <class T>
-int add_accessor(const std::vector<T>& items, int type, int component_type, int target,
-                 tinygltf::Model& model) {
-    auto& data = model.buffers.front().data;
-    tinygltf::BufferView view;
-    view.buffer = 0;
-    view.byteOffset = data.size();
-    view.byteLength = items.size() * sizeof(T);
-    view.target = target;
-    const auto* bytes = reinterpret_cast<const unsigned char*>(items.data());
-    data.insert(data.end(), bytes, bytes + view.byteLength);
-
-    tinygltf::Accessor accessor;
-    accessor.bufferView = static_cast<int>(model.bufferViews.size());
-    accessor.componentType = component_type;
-    accessor.type = type;
-    accessor.count = items.size();
-    model.bufferViews.push_back(std::move(view));
-    model.accessors.push_back(std::move(accessor));
-    return static_cast<int>(model.accessors.size()) - 1;
-}
-
-template <class T>
-int add_attribute(const std::vector<T>& items, tinygltf::Model& model) {
-    const int type = sizeof(T) == sizeof(Vec3) ? TINYGLTF_TYPE_VEC3 : TINYGLTF_TYPE_VEC2;
-    return add_accessor(items, type, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER, model);
 }
 
 tinygltf::Primitive add_geometry(const Mesh& mesh, tinygltf::Model& model) {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.attributes["POSITION"] = add_attribute(mesh.position, model);
-    Imath::Box3f bounds;
-    for (const Vec3& p : mesh.position) bounds.extendBy(p);
-    model.accessors.back().minValues = to_doubles(bounds.min);
-    model.accessors.back().maxValues = to_doubles(bounds.max);
+    primitive.attributes["POSITION"] = add_positions(mesh.position, model);
     primitive.attributes["NORMAL"] = add_attribute(mesh.normal, model);
     primitive.attributes["TEXCOORD_0"] = add_attribute(mesh.texcoord, model);
     primitive.attributes["TEXCOORD_1"] = add_attribute(mesh.lightmap_texcoord, model);
-    primitive.indices = add_accessor(mesh.index, TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                                     TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, model);
+    primitive.indices = add_indices(mesh.index, model);
     return primitive;
 }
 
@@ -257,11 +191,8 @@ tinygltf::Model make_model(const SceneDescription& scene) {
 }  // namespace
 
 void write_glb(const SceneDescription& scene, const std::filesystem::path& file) {
-    const tinygltf::Model model = make_model(scene);
-    std::ostringstream stream;
-    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, false, true))
-        throw common::InputError(fmt::format("{}: cannot be made into glTF", file.string()));
-    common::write_whole_file(file, std::as_bytes(std::span(stream.view())));
+    const std::string bytes = glb_bytes(make_model(scene), file.string());
+    common::write_whole_file(file, std::as_bytes(std::span(bytes)));
 }
 
 }  // namespace scenes

@@ -6,10 +6,13 @@ function options(select, entries, chosen) {
   select.replaceChildren(...entries.map(([value, text]) => make("option", { value, selected: value === chosen }, text)));
 }
 
-/** The choices of one side: maps, and pictures of the stored camera. */
+/** The choices of one side: maps; the program's pictures of the stored camera, and what a viewer sees of their error. */
 function fillSelects(viewer) {
   const maps = viewer.renderer.choices.map((choice, i) => [String(i), choice.label]);
-  const pictures = viewer.view ? [...viewer.view.answer.keys()].filter(name => !name.startsWith("shlm/")).map(name => ["=" + name, name]) : [];
+  const pictures = viewer.view ? [
+    ...viewer.view.answers.map(name => ["=" + name, `picture: ${name}`]),
+    ...viewer.view.flip.map(({ of, mean }) => ["!" + of, `FLIP ${digits(mean, 2)}: ${of}`]),
+  ] : [];
   for (const side of ["a", "b"]) {
     options(byId(side), [...maps, ...pictures], state[side]);
     options(byId("f" + side), [["exact", "exact filter"], ["hardware", "hardware filter"]], state["f" + side]);
@@ -37,7 +40,7 @@ function showTest(viewer) {
   const result = selfTest(viewer.renderer, viewer.view), percent = x => x === undefined ? "-" : `${digits(100 * x)} %`;
   const rows = result.rows.map(row => [row.basis, row.filter, digits(row.rms, 2), digits(row.largest, 2), percent(row.error), percent(row.error_of_program)]);
   byId("report").replaceChildren(
-    make("p", {}, `${result.passed ? "Passed" : "FAILED"}: this page's pixels beside the program's answers, at the stored camera (${result.rows[0].compared} points). Drawn by ${result.renderer}.`),
+    make("p", {}, `${result.passed ? "Passed" : "FAILED"}: this page's pixels beside the program's answers, at the stored camera (${result.rows[0].points} points). Drawn by ${result.renderer}.`),
     tableOf(["basis", "filter", "relative RMS difference", "largest, of the mean", "error against the reference", "the program's own"], rows));
 }
 

@@ -3,10 +3,9 @@
 //
 // Before this text stand, made by shading.js and by the program: HARMONICS, AMBIENT_AND_DIRECTION, HEMISPHERE_FOUR
 // or LUMINANCE_NINE (one of them is defined); COUNT, harmonics that are evaluated; LAYERS, of the texture; EXACT or
-// not; MEASURE (numbers in place of colours), HEMISPHERE (one texel's light for all normals) or neither; and the
+// not; MEASURE (numbers in place of colours; with POINTS, of single points), HEMISPHERE (one texel's light for all normals) or neither; and the
 // constants C0 to C44 and SAME_SURFACE_COSINE.
 
-uniform vec3 uEye;
 uniform highp sampler2DArray uLight;  // numbers of the texels, four a layer
 uniform highp sampler2D uFaces;       // unit normal and covered area of the texels
 uniform highp sampler2D uHits;
@@ -226,8 +225,7 @@ void main() {
     if (uHasBaseTexture) base *= texture(uBaseTexture, vBaseTexcoord);
     if (base.a < uAlphaCutoff) discard;
 
-    vec3 geometric = normalize(cross(dFdx(vPosition), dFdy(vPosition)));
-    if (dot(geometric, uEye - vPosition) < 0.0) geometric = -geometric;
+    vec3 geometric = normalize(cross(dFdx(vPosition), dFdy(vPosition)));  // on the side that is seen
     vec3 smooth_normal = dot(vNormal, geometric) > 0.0 ? normalize(vNormal) : geometric;
     vec3 n = uHasNormalMap ? bent(smooth_normal) : smooth_normal;
     n = tilted(n);

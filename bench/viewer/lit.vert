@@ -1,6 +1,10 @@
 // Hands a lit primitive's surface on to lit.frag. World space throughout.
 uniform mat4 uViewProjection;
 
+#ifdef POINTS
+in vec2 aScreen;  // where a point's own triangle is drawn
+#endif
+
 in vec3 aPosition;
 in vec3 aNormal;
 in vec4 aTangent;         // glTF's TANGENT: w is the bitangent's sign
@@ -28,5 +32,9 @@ void main() {
     vEmissiveTexcoord = aEmissiveTexcoord;
     vLightTexcoord = aLightTexcoord;
     vLightRectangle = aLightRectangle;
+#ifdef POINTS
+    gl_Position = vec4(aScreen, 0.0, 1.0);
+#else
     gl_Position = uViewProjection * vec4(aPosition, 1.0);
+#endif
 }

@@ -5,6 +5,7 @@ class Viewer {
     this.about = about;
     this.canvas = byId("scene");
     this.flipped = false;
+    this.pictureWords = ""; // what is said of a picture that cannot be shown
     this.faults = new Set((new URLSearchParams(location.hash.slice(1)).get("fault") || "").split(",").filter(Boolean));
     this.renderer = new Renderer(this.canvas, about.glsl_constants, this.faults);
   }
@@ -17,10 +18,10 @@ class Viewer {
     this.camera = new Camera(glb.camera, this.renderer.size);
     if (state.camera) this.camera.text = state.camera;
     this.ownMap = null;
+    this.grey = 0; // not known yet
     byId("test").disabled = !this.view;
     byId("name").textContent = glb.lightmap.scene;
     fillSelects(this);
-    say("");
     this.draw();
   }
 
@@ -92,24 +93,39 @@ class Viewer {
     this.showPicture(sides[0]);
   }
 
-  /** A picture of the stored camera over the canvas: the reference, or a photon map. */
+  /** A picture of the stored camera over the canvas: =NAME for an answer of the program's, !NAME for its FLIP map. */
   showPicture(side) {
-    const over = byId("picture"), name = state[side].startsWith("=") ? state[side].slice(1) : "", answer = this.view && this.view.answer.get(name);
-    over.hidden = !answer || this.split > 0 || !this.camera.isStored;
-    if (answer && !this.camera.isStored) say(`${name} is a picture of the stored camera: press R.`);
+    const over = byId("picture"), kind = state[side][0], name = state[side].slice(1), { view } = this;
+    const values = view && (kind === "=" ? view.answer.get(name) : kind === "!" ? view.flipOf.get(name) : null);
+    over.hidden = !values || this.split > 0 || !this.camera.isStored;
+    const words = values && over.hidden ? `${name} is a picture of the stored camera alone: press R, and show A alone.` : "";
+    if (words !== this.pictureWords) say(words);
+    this.pictureWords = words;
     if (over.hidden) return;
-    const { width, height } = this.view, image = new ImageData(width, height);
+    const { width, height } = view, image = new ImageData(width, height), bare = Number(state["s" + side]) === 1;
     for (let p = 0; p < width * height; ++p) {
-      for (let c = 0; c < 3; ++c) {
-        let x = Math.max(0, answer[3 * p + c] / Math.PI * this.exposure);
-        x = Math.min(1, x * (1 + x / 16) / (1 + x));
-        image.data[4 * p + c] = 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
-      }
-      image.data[4 * p + 3] = 255;
+      const color = kind === "!" ? flipColor(values[p]) : [0, 1, 2].map(c => {
+        const at = 3 * p + c, radiance = bare ? values[at] / Math.PI : view.dark[at] + view.lit[at] * values[at];
+        return displayed(radiance * this.exposure);
+      });
+      image.data.set([...color, 255], 4 * p);
     }
     [over.width, over.height] = [width, height];
     over.getContext("2d").putImageData(image, 0, 0);
   }
+}
+
+/** A byte, as lit.frag's displayed() has it. */
+function displayed(value) {
+  let x = Math.max(0, value);
+  x = Math.min(1, x * (1 + x / 16) / (1 + x));
+  return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
+}
+
+/** From black by violet and orange to white. */
+function flipColor(value) {
+  const stops = [[0, 0, 4], [81, 18, 124], [183, 55, 121], [252, 137, 97], [252, 253, 191]], at = Math.min(Math.max(value, 0), 0.9999) * 4, i = Math.floor(at);
+  return stops[i].map((from, c) => from + (at - i) * (stops[i + 1][c] - from));
 }
 
 async function start() {
@@ -132,4 +148,4 @@ async function start() {
 window.shlmViewer = start();
 window.shlmViewer.catch(error => say(error.message));
 window.shlmTest = async () => { const viewer = await window.shlmViewer; return selfTest(viewer.renderer, viewer.view); };
-window.shlmTimes = async rounds => { const viewer = await window.shlmViewer; return timeAll(viewer.renderer, viewer.renderer.glb.camera, rounds); };
+window.shlmTimes = async (...how) => { const viewer = await window.shlmViewer; return timeAll(viewer.renderer, viewer.renderer.glb.camera, ...how); };

@@ -1,66 +1,52 @@
 // The page's pixels beside the program's answers for the same points: what the self-test and the pictures are made from.
 
-const SAME_PLACE = 1e-4; // of the scene's size
 const EXACT_BOUND = 1e-4; // relative RMS, of exact filtering
 
-/** The stored view: positions and answers, three floats a pixel from the top left one. */
+/**
+ * The stored view, by pixels from the top left one: place (primitive of lit.glb, or -1; triangle; u; v), position, radiance towards the camera for an
+ * irradiance of 1 (lit) and for 0 (dark), answers, and the FLIP maps of answers.
+ */
 class StoredView {
   constructor(about, floats) {
     Object.assign(this, about);
-    const values = 3 * this.width * this.height;
-    this.position = floats.subarray(0, values);
-    this.answer = new Map(this.answers.map((name, i) => [name, floats.subarray(values * (i + 1), values * (i + 2))]));
+    const pixels = this.width * this.height, part = (start, count) => floats.subarray(start * pixels, (start + count) * pixels);
+    this.place = part(0, 4);
+    this.position = part(4, 3);
+    this.lit = part(7, 3);
+    this.dark = part(10, 3);
+    this.answer = new Map(this.answers.map((name, i) => [name, part(13 + 3 * i, 3)]));
+    this.flipOf = new Map(this.flip.map(({ of }, i) => [of, part(13 + 3 * this.answers.length + i, 1)]));
+    this.points = [...Array(pixels).keys()].filter(p => this.place[4 * p] >= 0);
   }
+
+  /** The points' values of an answer, channel by channel. */
+  valuesOf(answer, stride = 3) { return this.points.flatMap(p => [0, 1, 2].map(c => answer[stride * p + c])); }
 }
 
-/** {compared, pixels, rms, largest}: relative RMS difference, and the largest over the mean. Pixels that see other places (edges, mirrors) are left out. */
-function difference(view, measured, answer, size, got = (p, c) => measured.irradiance[4 * p + c]) {
-  let compared = 0, pixels = 0, squares = 0, differences = 0, largest = 0, sum = 0;
-  for (let p = 0; p < view.width * view.height; ++p) {
-    const there = [0, 1, 2].map(c => view.position[3 * p + c]);
-    if (!Number.isFinite(there[0])) continue;
-    ++pixels;
-    const seen = [0, 1, 2].map(c => measured.position[4 * p + c]);
-    if (measured.position[4 * p + 3] === 0 || length(minus(seen, there)) > SAME_PLACE * size) continue;
-    ++compared;
-    for (let c = 0; c < 3; ++c) {
-      const wanted = answer[3 * p + c], off = Math.abs(got(p, c) - wanted);
-      squares += wanted * wanted;
-      sum += wanted;
-      differences += off * off;
-      largest = Math.max(largest, off);
-    }
-  }
-  return { compared, pixels, rms: Math.sqrt(differences / squares), largest: largest * 3 * compared / sum };
+const sum = values => values.reduce((a, b) => a + b, 0);
+
+/** {rms, largest}: relative RMS difference, and the largest over the mean. */
+function difference(values, wanted) {
+  const off = values.map((value, i) => Math.abs(value - wanted[i]));
+  return { rms: Math.sqrt(sum(off.map(x => x * x)) / sum(wanted.map(x => x * x))), largest: off.reduce((a, b) => Math.max(a, b), 0) * wanted.length / sum(wanted) };
 }
 
-/** Relative RMS error as the study has it: each point's square over its own and a hundredth of the mean square. */
-function relativeError(view, measured, truth, size, got) {
-  const points = [];
-  for (let p = 0; p < view.width * view.height; ++p) {
-    const there = [0, 1, 2].map(c => view.position[3 * p + c]), seen = [0, 1, 2].map(c => measured.position[4 * p + c]);
-    if (Number.isFinite(there[0]) && measured.position[4 * p + 3] !== 0 && length(minus(seen, there)) <= SAME_PLACE * size) points.push(p);
-  }
-  const all = points.flatMap(p => [0, 1, 2].map(c => truth[3 * p + c]));
-  const mean = all.reduce((a, b) => a + b, 0) / all.length, epsilon = 0.01 * mean * mean;
-  const squares = points.flatMap(p => [0, 1, 2].map(c => (got(p, c) - truth[3 * p + c]) ** 2 / (truth[3 * p + c] ** 2 + epsilon)));
-  return Math.sqrt(squares.reduce((a, b) => a + b, 0) / squares.length);
+/** Relative RMS error as the study has it: each square over the true value's own and a hundredth of the squared mean. */
+function relativeError(values, truth) {
+  const epsilon = 0.01 * (sum(truth) / truth.length) ** 2;
+  return Math.sqrt(sum(values.map((value, i) => (value - truth[i]) ** 2 / (truth[i] ** 2 + epsilon))) / truth.length);
 }
 
 /** Every map in both filters: what is drawn, beside what the program answers and beside the reference where there is one. */
 function selfTest(renderer, view) {
-  const rows = [], truth = view.answer.get("reference");
+  const rows = [], truth = view.answer.has("reference") ? view.valuesOf(view.answer.get("reference")) : null;
   for (const choice of renderer.choices.filter(one => one.basis === one.map.basis)) {
-    const answer = view.answer.get(choice.map.method);
+    const answer = view.valuesOf(view.answer.get(choice.map.method));
     for (const exact of [true, false]) {
-      const measured = renderer.measure(renderer.glb.camera, { choice, exact }, view.width, view.height);
-      const drawn = (p, c) => measured.irradiance[4 * p + c], programs = (p, c) => answer[3 * p + c];
-      const row = { method: choice.map.method, basis: choice.basis, filter: exact ? "exact" : "hardware", ...difference(view, measured, answer, renderer.size), ...costOf(choice, exact) };
-      if (truth) {
-        row.error = relativeError(view, measured, truth, renderer.size, drawn);
-        row.error_of_program = relativeError(view, measured, truth, renderer.size, programs);
-      }
-      rows.push({ ...row, passed: !exact || (row.rms <= EXACT_BOUND && row.compared > 0.9 * row.pixels) });
+      const drawn = view.valuesOf(renderer.measurePoints(view, { choice, exact }).irradiance, 4);
+      const row = { method: choice.map.method, basis: choice.basis, filter: exact ? "exact" : "hardware", points: view.points.length, ...difference(drawn, answer), ...costOf(choice, exact) };
+      if (truth) Object.assign(row, { error: relativeError(drawn, truth), error_of_program: relativeError(answer, truth) });
+      rows.push({ ...row, passed: !exact || row.rms <= EXACT_BOUND });
     }
   }
   return { renderer: rendererName(renderer.gl), scene: renderer.glb.lightmap.scene, passed: rows.every(row => row.passed), rows };

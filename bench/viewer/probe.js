@@ -15,7 +15,7 @@ function probed(renderer, camera, look, x, y, width, height) {
 /** The stored view's pixel nearest to a place, if it is about as near as its own pixels are: {pixel, distance}. */
 function nearestPixel(view, place, reach) {
   let best = null;
-  for (let p = 0; p < view.width * view.height; ++p) {
+  for (const p of view.points) {
     const distance = length([0, 1, 2].map(c => view.position[3 * p + c] - place[c]));
     if (distance <= reach && (!best || distance < best.distance)) best = { pixel: p, distance };
   }

@@ -55,6 +55,8 @@ class Renderer {
     this.materials = await Promise.all(glb.json.materials.map(material => this.material(material)));
     const primitives = glb.json.nodes.filter(node => node.mesh !== undefined).flatMap(node => glb.json.meshes[node.mesh].primitives);
     this.primitives = primitives.map(primitive => this.primitive(primitive));
+    this.sources = primitives; // of the file
+    this.pointsOf = new WeakMap();
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
     for (const primitive of primitives) {
       const { min, max } = glb.json.accessors[primitive.attributes.POSITION];
@@ -99,31 +101,85 @@ class Renderer {
     const { gl, glb } = this, { attributes } = primitive, material = this.materials[primitive.material];
     const light = this.faults.has("texcoord") ? "TEXCOORD_0" : "TEXCOORD_1";
     const names = ["POSITION", "NORMAL", "TANGENT", material.sets.base, material.sets.normal, material.sets.emissive, light, "_LIGHTMAP_RECT", "COLOR_0"];
-    const array = gl.createVertexArray();
-    gl.bindVertexArray(array);
-    names.forEach((name, place) => {
-      if (name === null || attributes[name] === undefined) {
-        gl.vertexAttrib4f(place, 1, 1, 1, 1);
-        return;
-      }
-      const { values, components } = glb.accessor(attributes[name]);
-      gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-      if (name === "TANGENT" && this.faults.has("tangent")) for (let i = 3; i < values.length; i += 4) values[i] *= -1;
-      gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
-      gl.enableVertexAttribArray(place);
-      gl.vertexAttribPointer(place, components, gl.FLOAT, false, 0, 0);
+    const columns = names.map(name => {
+      if (name === null || attributes[name] === undefined) return null;
+      const column = glb.accessor(attributes[name]);
+      if (name === "TANGENT" && this.faults.has("tangent")) for (let i = 3; i < column.values.length; i += 4) column.values[i] *= -1;
+      return column;
     });
-    const { values } = glb.accessor(primitive.indices);
+    const { values } = glb.accessor(primitive.indices), array = this.vertexArray(columns);
+    gl.bindVertexArray(array);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, values, gl.STATIC_DRAW);
     gl.bindVertexArray(null);
-    return { array, count: values.length, material };
+    return { array, count: values.length, material, columns, indices: values };
+  }
+
+  /** Of columns {values, components} in the order of ATTRIBUTES; ones where a column is null. */
+  vertexArray(columns) {
+    const { gl } = this, array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    columns.forEach((column, place) => {
+      if (!column) return;
+      gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+      gl.bufferData(gl.ARRAY_BUFFER, column.values, gl.STATIC_DRAW);
+      gl.enableVertexAttribArray(place);
+      gl.vertexAttribPointer(place, column.components, gl.FLOAT, false, 0, 0);
+    });
+    gl.bindVertexArray(null);
+    return array;
+  }
+
+  /**
+   * The stored view's points as triangles of one pixel each, by primitive. A triangle is a part of the surface around its point, so that the pixel's centre has
+   * the point's own values and derivatives tell its plane. A rasterizer moves corners by parts of a pixel; these lie where it has no need to.
+   */
+  pointPrimitives(view) {
+    if (this.pointsOf.has(view)) return this.pointsOf.get(view);
+    const AROUND = [[-0.05, -0.05, -0.5, -0.25], [0.1, -0.05, 0.5, -0.25], [-0.05, 0.1, 0, 0.5]]; // u, v, pixels right, pixels up
+    const pixelsOf = new Map();
+    for (let p = 0; p < view.width * view.height; ++p) {
+      const primitive = view.place[4 * p];
+      if (primitive < 0) continue;
+      if (!pixelsOf.has(primitive)) pixelsOf.set(primitive, []);
+      pixelsOf.get(primitive).push(p);
+    }
+    const made = [...pixelsOf].map(([number, pixels]) => {
+      const { material, columns, indices } = this.primitives[number];
+      const parts = columns.map(column => column && { components: column.components, values: new Float32Array(3 * pixels.length * column.components) });
+      const screen = new Float32Array(6 * pixels.length);
+      pixels.forEach((p, i) => AROUND.forEach(([du, dv, right, up], k) => {
+        const [, triangle, u, v] = view.place.subarray(4 * p, 4 * p + 4), at = 3 * i + k, shares = [1 - u - v - du - dv, u + du, v + dv];
+        columns.forEach((column, c) => {
+          if (!column) return;
+          const n = column.components;
+          for (let x = 0; x < n; ++x) parts[c].values[at * n + x] = shares.reduce((sum, share, corner) => sum + share * column.values[indices[3 * triangle + corner] * n + x], 0);
+        });
+        screen.set([2 * (p % view.width + 0.5 + right) / view.width - 1, 1 - 2 * (Math.floor(p / view.width) + 0.5 - up) / view.height], 2 * at);
+      }));
+      return { array: this.vertexArray([...parts, { components: 2, values: screen }]), count: 3 * pixels.length, material };
+    });
+    this.pointsOf.set(view, made);
+    return made;
   }
 
   bind(unit, target, texture) {
     const { gl } = this;
     gl.activeTexture(gl.TEXTURE0 + unit);
     gl.bindTexture(target, texture);
+  }
+
+  /** Sets what all primitives share, of the program in use. */
+  setLook(uniforms, look) {
+    const { gl } = this, { width, height } = this.atlas, off = this.faults.has("atlas") ? 1 : 0;
+    for (const [name, unit] of Object.entries(UNITS)) if (uniforms[name] !== undefined) gl.uniform1i(uniforms[name], unit);
+    gl.uniform2f(uniforms.uAtlasSize, width + off, height);
+    gl.uniform1f(uniforms.uUnit, look.choice.map.unit);
+    gl.uniform2f(uniforms.uTilt, look.tilt || 0, look.turn || 0);
+    gl.uniform1f(uniforms.uExposure, look.exposure || 1);
+    gl.uniform1i(uniforms.uShow, look.show || 0);
+    for (let place = 0; place < ATTRIBUTES.length; ++place) gl.vertexAttrib4f(place, 1, 1, 1, 1); // of primitives without that column
+    this.bindMap(look.choice);
   }
 
   /**
@@ -140,19 +196,24 @@ class Renderer {
     gl.clearColor(...(measure ? [0, 0, 0, 0] : [0.05, 0.06, 0.08, 1]));
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.useProgram(program);
-    const { width, height } = this.atlas, off = this.faults.has("atlas") ? 1 : 0;
-    for (const [name, unit] of Object.entries(UNITS)) if (uniforms[name] !== undefined) gl.uniform1i(uniforms[name], unit);
     gl.uniformMatrix4fv(uniforms.uViewProjection, false, viewProjection(camera, area[2] / area[3], this.size));
-    gl.uniform3fv(uniforms.uEye, camera.eye);
-    gl.uniform2f(uniforms.uAtlasSize, width + off, height);
-    gl.uniform1f(uniforms.uUnit, look.choice.map.unit);
-    gl.uniform2f(uniforms.uTilt, look.tilt || 0, look.turn || 0);
-    gl.uniform1f(uniforms.uExposure, look.exposure || 1);
-    gl.uniform1i(uniforms.uShow, look.show || 0);
-    this.bindMap(look.choice);
+    this.setLook(uniforms, look);
     for (const primitive of this.primitives) this.drawPrimitive(primitive, uniforms, look);
     gl.bindVertexArray(null);
     gl.disable(gl.SCISSOR_TEST);
+  }
+
+  /** Draws the stored view's points, each into its pixel. */
+  drawPoints(view, look) {
+    const { gl } = this, { program, uniforms } = this.shading.get(look.choice, look.exact, "POINTS");
+    gl.viewport(0, 0, view.width, view.height);
+    gl.disable(gl.DEPTH_TEST);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.useProgram(program);
+    this.setLook(uniforms, look);
+    for (const primitive of this.pointPrimitives(view)) this.drawPrimitive(primitive, uniforms, look);
+    gl.bindVertexArray(null);
   }
 
   bindMap(choice) {
@@ -180,7 +241,7 @@ class Renderer {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  drawPrimitive({ array, count, material }, uniforms, look) {
+  drawPrimitive({ array, count, material, indices }, uniforms, look) {
     const { gl } = this, normal = look.ownMap || material.normal;
     if (material.doubleSided) gl.disable(gl.CULL_FACE);
     else gl.enable(gl.CULL_FACE);
@@ -198,7 +259,8 @@ class Renderer {
     this.bind(UNITS.uNormalMap, gl.TEXTURE_2D, (normal || { texture: this.blank }).texture);
     this.bind(UNITS.uEmissiveTexture, gl.TEXTURE_2D, (material.emissive || { texture: this.blank }).texture);
     gl.bindVertexArray(array);
-    gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0);
+    if (indices) gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0);
+    else gl.drawArrays(gl.TRIANGLES, 0, count);
   }
 
   /**
@@ -207,6 +269,14 @@ class Renderer {
    */
   measure(camera, look, width, height, only = [0, 0, width, height]) {
     const [left, top, across, down] = only;
+    return this.read(across, down, () => this.draw(camera, look, [-left, top + down - height, width, height], [0, 0, across, down], true));
+  }
+
+  /** The same of the stored view's points. */
+  measurePoints(view, look) { return this.read(view.width, view.height, () => this.drawPoints(view, look)); }
+
+  /** What `draw` draws into four targets of floats, in measure's form. */
+  read(across, down, draw) {
     const { gl } = this;
     if (!this.floats) throw new Error("this browser draws no floats (EXT_color_buffer_float)");
     const target = gl.createFramebuffer(), buffers = [];
@@ -220,7 +290,7 @@ class Renderer {
       gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
     }
     gl.drawBuffers(places);
-    this.draw(camera, look, [-left, top + down - height, width, height], [0, 0, across, down], true);
+    draw();
     const read = place => {
       const bottomFirst = new Float32Array(4 * across * down), topFirst = new Float32Array(bottomFirst.length);
       gl.readBuffer(place);

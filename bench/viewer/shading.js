@@ -34,14 +34,14 @@ class Shading {
     this.programs = new Map();
   }
 
-  /** `purpose`: "", MEASURE or HEMISPHERE. */
+  /** `purpose`: "", MEASURE, POINTS or HEMISPHERE. */
   prelude(choice, exact, purpose) {
     let count = HARMONICS_OF[choice.basis];
     if (this.faults.has("order") && count > 1) count = { 4: 1, 9: 4, 18: 9 }[count];
     return [
       "#version 300 es", "precision highp float;", "precision highp int;", "precision highp sampler2DArray;",
       `#define ${BASES[choice.basis]}`, `#define COUNT ${count}`, `#define LAYERS ${Math.ceil(numbersOf(choice) / 4)}`,
-      ...(exact ? ["#define EXACT"] : []), ...(purpose ? [`#define ${purpose}`] : []), this.constants, "",
+      ...(exact ? ["#define EXACT"] : []), ...(purpose ? [`#define ${purpose}`] : []), ...(purpose === "POINTS" ? ["#define MEASURE"] : []), this.constants, "",
     ].join("\n");
   }
 
@@ -73,4 +73,4 @@ class Shading {
   }
 }
 
-const ATTRIBUTES = ["aPosition", "aNormal", "aTangent", "aBaseTexcoord", "aNormalTexcoord", "aEmissiveTexcoord", "aLightTexcoord", "aLightRectangle", "aColor"];
+const ATTRIBUTES = ["aPosition", "aNormal", "aTangent", "aBaseTexcoord", "aNormalTexcoord", "aEmissiveTexcoord", "aLightTexcoord", "aLightRectangle", "aColor", "aScreen"];

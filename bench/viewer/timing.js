@@ -26,7 +26,7 @@ async function batchSeconds(renderer, query, draw) {
 }
 
 /** All maps in both filters, interleaved. Nanoseconds a pixel of the stored view. */
-async function timeAll(renderer, camera, rounds = ROUNDS) {
+async function timeAll(renderer, camera, rounds = ROUNDS, width = TIMED_WIDTH, height = TIMED_HEIGHT) {
   const { gl } = renderer, query = gl.getExtension("EXT_disjoint_timer_query_webgl2");
   const target = gl.createFramebuffer(), buffers = [];
   gl.bindFramebuffer(gl.FRAMEBUFFER, target);
@@ -34,14 +34,14 @@ async function timeAll(renderer, camera, rounds = ROUNDS) {
     const buffer = gl.createRenderbuffer();
     buffers.push(buffer);
     gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-    gl.renderbufferStorage(gl.RENDERBUFFER, format, TIMED_WIDTH, TIMED_HEIGHT);
+    gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
     gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
   }
   const looks = renderer.choices.flatMap(choice => [true, false].map(exact => ({ choice, exact }))), times = looks.map(() => []);
   for (let round = 0; round <= rounds; ++round) {
     for (const [i, look] of looks.entries()) {
       gl.bindFramebuffer(gl.FRAMEBUFFER, target);
-      const seconds = await batchSeconds(renderer, query, () => renderer.draw(camera, look, [0, 0, TIMED_WIDTH, TIMED_HEIGHT]));
+      const seconds = await batchSeconds(renderer, query, () => renderer.draw(camera, look, [0, 0, width, height]));
       if (round > 0 && Number.isFinite(seconds)) times[i].push(seconds); // the first round compiles
     }
   }
@@ -51,8 +51,8 @@ async function timeAll(renderer, camera, rounds = ROUNDS) {
   const name = rendererName(gl);
   return {
     renderer: name, software: /swiftshader|llvmpipe|software/i.test(name), clock: query ? "timer query" : "wall clock, read-back included",
-    width: TIMED_WIDTH, height: TIMED_HEIGHT, draws_a_batch: BATCH, rounds,
+    width, height, draws_a_batch: BATCH, rounds,
     rows: looks.map((look, i) => ({ choice: look.choice.label, filter: look.exact ? "exact" : "hardware", ...costOf(look.choice, look.exact),
-      ns_a_pixel: times[i].length ? median(times[i]) / BATCH / (TIMED_WIDTH * TIMED_HEIGHT) * 1e9 : null })),
+      ns_a_pixel: times[i].length ? median(times[i]) / BATCH / (width * height) * 1e9 : null })),
   };
 }

@@ -70,6 +70,11 @@ using DisplayColor = std::array<std::uint8_t, 3>;
 void write_png(const std::filesystem::path& file, int width, int height,
                std::span<const DisplayColor> colors);
 
+/// Returns a PNG of 8 bits per channel, with 3 or 4 channels, and says nothing of the colour space: for
+/// textures in other files. `values` are row by row from the top left pixel.
+[[nodiscard]] std::vector<std::byte> encode_png(int width, int height, int channels,
+                                                std::span<const std::uint8_t> values);
+
 /// Returns whether a file's values are floating-point numbers, linear in light, and not display colours.
 /// Throws InputError if it cannot be read.
 [[nodiscard]] bool holds_linear_values(const std::filesystem::path& file);

@@ -47,17 +47,39 @@ void append(png_structp png, png_bytep bytes, std::size_t count) {
     file.insert(file.end(), first, first + count);
 }
 
-/// Returns false if it failed; `rows` has one pointer per row.
-bool encode(png_structp png, png_infop info, int width, int height, png_textp note, png_bytepp rows) {
+/// Returns false if it failed; `rows` has one pointer per row. With a note the values are sRGB, without one
+/// they are whatever the reader takes them for.
+bool encode(png_structp png, png_infop info, int width, int height, int channels, png_textp note,
+            png_bytepp rows) {
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    png_set_text(png, info, note, 1);
+                 channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (note) {
+        png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+        png_set_text(png, info, note, 1);
+    }
     png_set_rows(png, info, rows);
     png_write_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
     return true;
+}
+
+/// Throws InputError, naming `file`.
+Bytes encoded(const std::string& file, int width, int height, int channels,
+              std::span<const std::uint8_t> values, png_textp note) {
+    std::vector<png_bytep> rows;
+    const std::size_t row = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)  // libpng takes no const pointers
+        rows.push_back(const_cast<png_bytep>(values.data() + y * row));
+    Bytes bytes;
+    std::string message;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, ignore_warning);
+    png_infop info = png_create_info_struct(png);
+    png_set_write_fn(png, &bytes, append, nullptr);
+    const bool done = encode(png, info, width, height, channels, note, rows.data());
+    png_destroy_write_struct(&png, &info);
+    if (!done) throw InputError(fmt::format("{}: cannot be written: {}", file, message));
+    return bytes;
 }
 
 void write_colors(const fs::path& file, int width, int height, std::span<const DisplayColor> colors,
@@ -68,20 +90,10 @@ void write_colors(const fs::path& file, int width, int height, std::span<const D
     note.key = key.data();
     note.text = shows.data();
     note.text_length = shows.size();
-    std::vector<png_bytep> rows;
-    for (int y = 0; y < height; ++y)  // libpng takes no const pointers
-        rows.push_back(const_cast<png_bytep>(
-            colors[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)].data()));
-
-    Bytes encoded;
-    std::string message;
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, ignore_warning);
-    png_infop info = png_create_info_struct(png);
-    png_set_write_fn(png, &encoded, append, nullptr);
-    const bool done = encode(png, info, width, height, &note, rows.data());
-    png_destroy_write_struct(&png, &info);
-    if (!done) throw InputError(fmt::format("{}: cannot be written: {}", file.string(), message));
-    write_whole_file(file, encoded);
+    static_assert(sizeof(DisplayColor) == 3);
+    write_whole_file(file,
+                     encoded(file.string(), width, height, 3,
+                             {colors.empty() ? nullptr : colors.front().data(), 3 * colors.size()}, &note));
 }
 
 /// An open file and libpng's state for it.
@@ -161,6 +173,10 @@ void write_png(const fs::path& file, const Image& image, float exposure) {
             colors[p][c] = static_cast<std::uint8_t>(
                 std::lround(255 * srgb_encoded(rolled_off(image.at(p, c) * exposure))));
     write_colors(file, image.width, image.height, colors, picture_of_light);
+}
+
+std::vector<std::byte> encode_png(int width, int height, int channels, std::span<const std::uint8_t> values) {
+    return encoded("PNG", width, height, channels, values, nullptr);
 }
 
 void write_png(const fs::path& file, int width, int height, std::span<const DisplayColor> colors) {

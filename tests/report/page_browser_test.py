@@ -12,15 +12,15 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
 import page_results
-from browser import Browser, find_browser
 from page_results import FEWER, NEAREST, SCENES, SIZES
 from page_test import offer_by_hand, run
+from report.browser import Browser, find_browser
 from report.page.chooser import hits_word, offers
 from report.page.facets import facts_of
 from report.page.find import find
 from report.page.rows import StudyRows
 
-SECTIONS = ("claims", "choose", "charts", "pictures", "stability", "elsewhere", "fits", "history", "measured", "words")
+SECTIONS = ("claims", "choose", "charts", "pictures", "lit", "stability", "elsewhere", "fits", "history", "measured", "words")
 COSTS, ERRORS = ("seconds", "bytes", "working", "hits"), ("error", "bias", "noise", "flip")
 UNITS = {"": 1, "%": 1, "ms": 1e-3, "s": 1, "k": 1e3, "M": 1e6, "G": 1e9, "B": 1, "KiB": 2**10, "MiB": 2**20, "GiB": 2**30}
 NARROW = 400

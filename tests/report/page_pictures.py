@@ -5,9 +5,10 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
-from browser import Browser, find_browser
 from PIL import Image
+from report.browser import Browser, find_browser
 
 TOPS = {1280: 4200, 400: 7600}  # pixels of width -> of height: down to the charts
 

@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import synthetic_realtime
 from known_methods import facts_of
 from report.study.methods import REFERENCE_PHOTON_MAP
 from report.study.report import Report
@@ -132,6 +133,8 @@ def write_results(root):
     (root / "side-by-side" / "report.md").write_text("# A report\n")
     write(root / "stability" / "stability.json", stability())
     write(root / "elsewhere" / "elsewhere.json", elsewhere())
+    write(root / "realtime" / "realtime.json", synthetic_realtime.document())
+    (root / "realtime" / "viewer-bumpy.html").write_text("<p>A page")
     (root / "elsewhere" / "report.md").write_text("# A report\n")
     write(root / "models" / "fit" / "cornell" / "10-bytes" / "fit.json", fit())
     (root / "history").mkdir()

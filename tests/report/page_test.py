@@ -290,6 +290,11 @@ class Words(WithResults):
         self.assertNotIn("0123456789ab", cases)
 
 
+    def test_fragment_programs_have_their_errors_and_viewers(self):
+        part = self.text[self.text.index('<section id="lit">') : self.text.index('<section id="stability">')]
+        self.assertIn("bumpy 10.2 % beside 35.7 %; cornell 5.1 % beside 5.1 %", part)
+        self.assertIn('<a href="realtime/viewer-bumpy.html">bumpy</a>', part)
+
     def test_scenes_of_others_are_counted(self):
         part = self.text[self.text.index('<section id="elsewhere">') : self.text.index('<section id="fits">')]
         self.assertIn("Of 2 scenes that others made, within all bounds: 1; outside one: 0; left open by chance or not measured: 1.", part)
@@ -327,7 +332,7 @@ class Whole(WithResults):
 
     def test_all_sections(self):
         found = [a["id"] for a in self.reader.all("section")]
-        self.assertEqual(found, ["claims", "choose", "charts", "pictures", "stability", "elsewhere", "fits", "history", "measured", "words"])
+        self.assertEqual(found, ["claims", "choose", "charts", "pictures", "lit", "stability", "elsewhere", "fits", "history", "measured", "words"])
 
     def test_charts_have_a_sentence(self):
         sentences = re.findall(r'<p class="finding">([^<]+)</p>', self.text)

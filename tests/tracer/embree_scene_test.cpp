@@ -15,8 +15,12 @@ std::string instruction_set_within(const char* isa) {
 TEST(EmbreeScene, NamesTheInstructionSetThatEmbreeUses) {
 #if defined(__x86_64__)
     EXPECT_EQ(instruction_set_within("isa=sse4.2"), "SSE4.2");
-    if (__builtin_cpu_supports("avx2")) EXPECT_EQ(instruction_set_within("isa=avx2"), "AVX2");
-    if (__builtin_cpu_supports("avx512vl")) EXPECT_EQ(instruction_set_within("isa=avx512"), "AVX-512");
+    if (__builtin_cpu_supports("avx2")) {
+        EXPECT_EQ(instruction_set_within("isa=avx2"), "AVX2");
+    }
+    if (__builtin_cpu_supports("avx512vl")) {
+        EXPECT_EQ(instruction_set_within("isa=avx512"), "AVX-512");
+    }
 #else
     EXPECT_NE(instruction_set_within(""), "");
 #endif

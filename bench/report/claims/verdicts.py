@@ -1,6 +1,6 @@
 """One table of verdicts on the paper's claims from all results there are: bench/report verdicts OUT.md FOLDER...
 
-Each FOLDER has a compare.json or a study's summary.json. Figures of different machines are not joined: each folder is judged by itself, and
+Each FOLDER has a compare.json, a study's summary.json or a realtime.json. Figures of different machines are not joined: each folder is judged by itself, and
 a claim's row says what each of them found. Writes OUT.md and OUT.json.
 """
 
@@ -13,6 +13,8 @@ from pathlib import Path
 from report.claims.claims import measured_by_study, measured_here
 from report.claims.finding import NOT_DECIDED, NOT_MEASURED_YET, PLAIN
 from report.claims.judging import RUNS, RUNS_OF_LARGE
+from report.claims.realtime_claims import LIGHT_MAP as REALTIME_MAP
+from report.claims.realtime_claims import measured_by_fragments
 from report.compare.comparison import LIGHT_MAP, Comparison
 from report.markdown import table_text
 from report.text import machine_text
@@ -39,6 +41,10 @@ def sources_of(folders):
         if (Path(folder) / "compare.json").exists():
             comparison = Comparison(folder)
             made.append(Source(folder, comparison.context, comparison.light_map, measured_here(comparison, study)))
+    for folder in folders:
+        if (file := Path(folder) / "realtime.json").exists():
+            document = json.loads(file.read_text(encoding="utf-8"))
+            made.append(Source(folder, document["context"], REALTIME_MAP, measured_by_fragments(document)))
     made += [Source(folder, summary["context"], LIGHT_MAP, measured_by_study(summary, LIGHT_MAP)) for folder, summary in studies]
     return made
 

@@ -52,6 +52,7 @@ class Results:
     promises: list = field(default_factory=list)
     histories: list = field(default_factory=list)
     elsewhere: list = field(default_factory=list)
+    realtime: list = field(default_factory=list)
 
     def link(self, path):
         """From the page."""
@@ -71,7 +72,7 @@ class Results:
 
     @property
     def is_empty(self):
-        parts = (self.verdicts, self.studies, self.comparisons, self.stability, self.bases, self.fits, self.promises, self.histories, self.elsewhere)
+        parts = (self.verdicts, self.studies, self.comparisons, self.stability, self.bases, self.fits, self.promises, self.histories, self.elsewhere, self.realtime)
         return not any(parts)
 
 
@@ -89,8 +90,9 @@ PLACES = {  # part -> files of one folder
     "fits": "fit/*/*/fit.json",
     "promises": "promise/promise.json",
     "elsewhere": "elsewhere.json",
+    "realtime": "realtime.json",
 }
-NEEDED = {"studies": "scenes", "comparisons": "rows", "stability": "rows"}  # what a part cannot do without
+NEEDED = {"studies": "scenes", "comparisons": "rows", "stability": "rows", "realtime": "rows"}  # what a part cannot do without
 
 
 OWN_RUNS = "latest"  # what ./reproduce leaves beside the kept results; it has a page of its own

@@ -63,7 +63,7 @@ def grouped(results):
 HEADS = ("results", "machine", "instruction set", "cores, memory", "threads", "commit", "date", "compiler", "seeds, repetitions")
 
 
-PARTS = ("studies", "comparisons", "limits", "stability", "bases", "fits", "promises", "elsewhere")
+PARTS = ("studies", "comparisons", "limits", "stability", "bases", "fits", "promises", "elsewhere", "realtime")
 
 
 def name_of(part, source):

@@ -8,7 +8,7 @@ import os
 import sys
 from pathlib import Path
 
-from report.page import answer, bases, chooser, claims, elsewhere, fits, history, measured, panels, pictures, stability
+from report.page import answer, bases, chooser, claims, elsewhere, fits, history, lit, measured, panels, pictures, stability
 from report.page.charts import Charts
 from report.page.find import find
 from report.page.markup import Markup, joined, script_json, tag
@@ -29,6 +29,7 @@ def sections(results, study, charts):
         ("choose", "Which map for my error?", chooser.section(study) if study else tag("p", NO_STUDY)),
         ("charts", "Error, time and memory", panels.section(charts) if charts else tag("p", NO_STUDY)),
         ("pictures", "What it looks like", pictures.section(results, study)),
+        ("lit", "Lit in a browser", lit.section(results)),
         ("stability", "Where the methods fail", stability.section(results)),
         ("elsewhere", "On scenes that others made", elsewhere.section(results)),
         ("fits", "What each scene needs", joined([fits.section(results), bases.section(results)])),

@@ -16,9 +16,11 @@ import time
 
 PROGRAMS = ("chromium-headless-shell", "chromium", "chromium-browser")
 FLAGS = (
-    "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run", "--force-device-scale-factor=1",
+    "--headless", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run", "--force-device-scale-factor=1",
     "--remote-debugging-pipe",
 )
+NO_GRAPHICS = ("--disable-gpu",)
+SOFTWARE_GRAPHICS = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")  # WebGL, without a graphics card
 PATIENCE = 60.0  # seconds for one answer
 KEYS = {"Enter": 13, "Escape": 27, "End": 35, "Home": 36, "ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40, "Tab": 9, "f": 70}
 
@@ -34,7 +36,7 @@ class BrowserError(Exception):
 class Browser:
     """One page. `requests` are the addresses asked for since the last `open`, `complaints` what the console had to say."""
 
-    def __init__(self, program, *flags):
+    def __init__(self, program, graphics=NO_GRAPHICS):
         self._home = tempfile.TemporaryDirectory()
         to_browser, self._out = os.pipe()
         self._in, from_browser = os.pipe()
@@ -45,7 +47,7 @@ class Browser:
             os.dup2(writing, 4)
 
         self._process = subprocess.Popen(
-            [program, *FLAGS, *flags, f"--user-data-dir={self._home.name}", "about:blank"], preexec_fn=take_pipes, close_fds=False,
+            [program, *FLAGS, *graphics, f"--user-data-dir={self._home.name}", "about:blank"], preexec_fn=take_pipes, close_fds=False,
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
         )
         os.close(to_browser)

@@ -81,12 +81,16 @@ class Sheet:
         for axes in self.figure.axes:
             for axis in (axes.xaxis, axes.yaxis):
                 label_short_axis(axis)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        self.figure.savefig(path, dpi=DPI)
-        plt.close(self.figure)
-        # A chart has few colours: with a palette it takes a third of the bytes. matplotlib needs Pillow anyway.
-        with Image.open(path) as image:
-            image.convert("RGB").quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
+        save_chart(self.figure, path)
+
+
+def save_chart(figure, path):
+    """A chart has few colours: with a palette it takes a third of the bytes. matplotlib needs Pillow anyway."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, dpi=DPI)
+    plt.close(figure)
+    with Image.open(path) as image:
+        image.convert("RGB").quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
 def label_short_axis(axis):

@@ -24,6 +24,7 @@ uniform float uAlphaCutoff;           // below it there is a hole
 uniform vec2 uTilt;                   // angle off the normal and turn around it, radians
 uniform float uExposure;
 uniform int uShow;
+uniform float uMostHits;              // on any texel
 
 in vec3 vPosition, vNormal;
 in vec4 vTangent, vColor;
@@ -198,7 +199,7 @@ vec3 texelColor() {
 vec3 hitsColor() {
     ivec2 texel = ivec2(floor(clamp(vLightTexcoord * uAtlasSize, vLightRectangle.xy, vLightRectangle.xy + vLightRectangle.zw - 1.0)));
     float hits = texelFetch(uHits, texel, 0).x;
-    return hits == 0.0 ? vec3(0.5, 0.0, 0.35) : scaleColor(log2(hits) / 14.0);
+    return hits == 0.0 ? vec3(0.5, 0.0, 0.35) : scaleColor(log2(1.0 + hits) / log2(2.0 + uMostHits));
 }
 
 #ifdef HEMISPHERE

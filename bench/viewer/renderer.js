@@ -52,6 +52,7 @@ class Renderer {
     this.hits = floats(glb.lightmap.hits_of_texels, gl.R32F, gl.RED);
     this.facesOfTexels = glb.view(glb.lightmap.faces, Float32Array);
     this.hitsOfTexels = glb.view(glb.lightmap.hits_of_texels, Float32Array);
+    this.mostHits = this.hitsOfTexels.reduce((a, b) => Math.max(a, b), 0);
     this.materials = await Promise.all(glb.json.materials.map(material => this.material(material)));
     const primitives = glb.json.nodes.filter(node => node.mesh !== undefined).flatMap(node => glb.json.meshes[node.mesh].primitives);
     this.primitives = primitives.map(primitive => this.primitive(primitive));
@@ -178,6 +179,7 @@ class Renderer {
     gl.uniform2f(uniforms.uTilt, look.tilt || 0, look.turn || 0);
     gl.uniform1f(uniforms.uExposure, look.exposure || 1);
     gl.uniform1i(uniforms.uShow, look.show || 0);
+    gl.uniform1f(uniforms.uMostHits, this.mostHits);
     for (let place = 0; place < ATTRIBUTES.length; ++place) gl.vertexAttrib4f(place, 1, 1, 1, 1); // of primitives without that column
     this.bindMap(look.choice);
   }

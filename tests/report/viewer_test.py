@@ -12,6 +12,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
+from report import realtime
 from report.browser import SOFTWARE_GRAPHICS, Browser, find_browser
 
 MAPS = ("shlm/L2/radiance/bilinear", "shlm/L4/radiance/bilinear", "shlm/L0/normalised/bilinear", "shlm/L1/radiance/bilinear", "shlm/H4/radiance/bilinear",
@@ -124,6 +125,15 @@ class Viewer(unittest.TestCase):
             return [document.getElementById('name').textContent, document.getElementById('test').disabled]; })""" % glb_text(self.root / "cornell" / "lit.glb"))
         self.assertEqual(name, ["cornell", True])
         self.assertIn("no binary glTF", self.browser.evaluate("window.shlmViewer.then(viewer => viewer.open(new ArrayBuffer(100)).catch(error => error.message))"))
+        self.assertEqual(self.complaints, [])
+
+    def test_a_scene_that_is_too_large_is_opened_from_its_file(self):
+        folder = self.root / "large"
+        words = [PROGRAM, "export", SCENE_FOLDER / "bumpy.glb", "--texels", "uv,65536", "--hits", "100000", "--method", "shlm/L4/radiance/bilinear,shlm/L2/radiance/bilinear", "--out", folder]
+        subprocess.run([str(word) for word in words], check=True, capture_output=True, timeout=600)
+        self.assertGreater((folder / "lit.glb").stat().st_size, 2 * (folder / "viewer.html").stat().st_size)
+        result = realtime.compared(self.browser, folder)
+        self.assertTrue(result["passed"])
         self.assertEqual(self.complaints, [])
 
     def test_pictures_of_the_stored_camera(self):

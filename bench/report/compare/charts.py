@@ -9,6 +9,7 @@ import matplotlib.pyplot as plt
 from report.compare.baselines import BYTES, GATHER_US, INSERT_NS, one_per_engine, sum_of
 from report.compare.comparison import Comparison, map_seconds
 from report.compare.memory_wall import growth, peaks, wall_bytes
+from report.sheet import save_chart
 from report.text import bytes_text
 
 BILLION = 1e9
@@ -66,10 +67,7 @@ def chart(comparison, name, title, unit, draw):
     below = (0.42 + 0.16 * rows) / figure.get_size_inches()[1]
     figure.legend(by_label.values(), by_label.keys(), loc="lower center", bbox_to_anchor=(0.5, 0.055), ncol=columns, fontsize=7)
     figure.tight_layout(rect=(0, below, 1, 1))
-    folder = comparison.folder / "charts"
-    folder.mkdir(exist_ok=True)
-    figure.savefig(folder / f"{name}.png", dpi=130)
-    plt.close(figure)
+    save_chart(figure, comparison.folder / "charts" / f"{name}.png")
 
 
 def draw_methods(comparison, figure):

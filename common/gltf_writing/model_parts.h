@@ -51,8 +51,8 @@ int add_indices(const std::vector<std::uint32_t>& indices, tinygltf::Model& mode
 /// W/(m^2 sr), greater than zero.
 void set_emission(const Rgb& radiance, tinygltf::Material& material, tinygltf::Model& model);
 
-/// `has_inside`: the boundary of a body, otherwise a sheet without thickness. How thick a body is matters only
-/// where it absorbs light, which this one does not.
+/// `has_inside`: the boundary of a body, otherwise a sheet without thickness. How thick a body is matters
+/// only where it absorbs light, which this one does not.
 void set_glass(float index_of_refraction, bool has_inside, tinygltf::Material& material,
                tinygltf::Model& model);
 

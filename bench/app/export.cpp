@@ -20,6 +20,7 @@
 #include "bench/setup/output_folder.h"
 #include "bench/setup/provenance.h"
 #include "bench/setup/run_options.h"
+#include "bench/setup/trace_amount.h"
 #include "common/core/fnv.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
@@ -40,7 +41,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 struct ExportOptions {
-    std::string file, hits, photons, map, out, reference;
+    std::string file, out, reference;
+    TraceAmount amount;
     std::vector<std::string> names = {"shlm/L2/normalised/bilinear"};
     SceneOptions scene;
     MethodOptions methods;
@@ -63,8 +65,6 @@ struct FilledMaps {
     AnsweredView view;
 };
 
-const char* const needed_gather = "bilinear: a fragment program has no search for texels near in space";
-
 /// The same light map as it is exported: in halves.
 Contender exported(const Contender& contender) {
     const auto* uniform = dynamic_cast<const UniformLightMap*>(contender.light_map());
@@ -74,7 +74,10 @@ Contender exported(const Contender& contender) {
                         "shlm/L2/normalised/bilinear",
                         contender.name));
     if (!std::holds_alternative<shlm::Bilinear>(uniform->setting().gather))
-        throw common::InputError(fmt::format("--method: {} is not asked {}", contender.name, needed_gather));
+        throw common::InputError(
+            fmt::format("--method: {} is no bilinear map; a fragment program has no search "
+                        "for texels near in space",
+                        contender.name));
     const auto technique = std::make_shared<UniformLightMap>(uniform->setting(), uniform->least_hits(), true);
     return {technique->name(), technique};
 }
@@ -84,17 +87,8 @@ bool same_texels(const Contender& a, const Contender& b, const ContenderSettings
     return x.count == y.count && x.placement == y.placement;
 }
 
-common::TraceTarget target_of(const ExportOptions& options) {
-    if (!options.hits.empty() + !options.photons.empty() + !options.map.empty() != 1)
-        throw common::InputError(
-            "one of --hits and --photons says how much to trace, or --map what is traced already");
-    if (!options.map.empty()) return {};
-    if (!options.hits.empty()) return {.hits = parse_count("--hits", options.hits)};
-    return {.photons = parse_count("--photons", options.photons)};
-}
-
 ExportPlan make_plan(const ExportOptions& options) {
-    ExportPlan plan{options, {}, {}, options.methods.settings(), target_of(options)};
+    ExportPlan plan{options, {}, {}, options.methods.settings(), options.amount.target()};
     for (const Contender& contender : parse_contenders("--method", parse_list("--method", options.names))) {
         if (contender.light_map())
             plan.maps.push_back(exported(contender));
@@ -106,10 +100,10 @@ ExportPlan make_plan(const ExportOptions& options) {
     for (const Contender& map : plan.maps)
         if (!same_texels(map, plan.maps.front(), plan.settings))
             throw common::InputError("--method: light maps of one export have the same texels");
-    if (!options.map.empty() && options.names.size() > 1)
+    if (options.amount.is_traced_already() && plan.maps.size() + plan.beside.size() > 1)
         throw common::InputError("--map: holds the sums of one method");
     std::vector<fs::path> inputs = common::source_files(options.file);
-    for (const std::string& file : {options.map, options.reference})
+    for (const std::string& file : {options.amount.map, options.reference})
         if (!file.empty()) inputs.emplace_back(file);
     check_results("--out", options.out,
                   {"lightmap.json", {"lit.glb", "lightmap.exr", "lightmap.npy", "viewer.html"}, {}}, inputs);
@@ -216,7 +210,7 @@ void read_map(const ExportPlan& plan, const common::PhotonSource& source, Prepar
     const shlm::MapIdentity identity = light_map.identity(prepared, source, plan.options.run.seed);
     const std::unique_ptr<LightMapStore> sums = light_map.make_sums(prepared, source);
     made.trace =
-        sums->read(plan.options.map, identity, shlm::TexelAtlas(light_map.texels_of(prepared).layout))
+        sums->read(plan.options.amount.map, identity, shlm::TexelAtlas(light_map.texels_of(prepared).layout))
             .report();
     stop_if_interrupted();
     take_map(plan.maps.front(), *sums, made);
@@ -298,7 +292,7 @@ void run(const ExportOptions& options) {
         print_scene_warnings(loaded);
         print_light_warnings(loaded, source);
         print_lightmap_warnings(loaded, prepared);
-        if (options.map.empty())
+        if (!options.amount.is_traced_already())
             trace_maps(plan, loaded, source, prepared, made);
         else
             read_map(plan, source, prepared, made);
@@ -307,28 +301,26 @@ void run(const ExportOptions& options) {
 }
 
 const RegisteredCommand registered(
-    14,
-    {.name = "export",
-     .purpose = "Write a light map for other programs, and a page that lights the scene with it",
-     .add_to = [](Command& command) -> std::function<void()> {
-         const auto options = std::make_shared<ExportOptions>();
-         command.option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb", Need::required);
-         command.option("--method", options->names,
-                        "Light maps, shlm/BASIS/WEIGHT/bilinear, separated by commas, the first of which is "
-                        "the light map of other "
-                        "programs; photon maps to compare with");
-         command.option("--hits", options->hits, "Trace until there are at least this many hits, e.g. 1e7");
-         command.option("--photons", options->photons, "Trace exactly this many photons");
-         command.option("--map", options->map, "Trace nothing: take a light map's sums from trace's file");
-         command.option("--reference", options->reference,
-                        "Image of shlmbench reference: the page shows errors against it");
-         command.option("--out", options->out,
-                        "Folder for lit.glb, lightmap.exr, .npy and .json, viewer.html", Need::required);
-         options->scene.add_to(command);
-         options->methods.add_to(command);
-         options->run.add_to(command);
-         return [options] { run(*options); };
-     }});
+    14, {.name = "export",
+         .purpose = "Write a light map for other programs, and a page that lights the scene with it",
+         .add_to = [](Command& command) -> std::function<void()> {
+             const auto options = std::make_shared<ExportOptions>();
+             command.option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb", Need::required);
+             command.option(
+                 "--method", options->names,
+                 "Light maps, shlm/BASIS/WEIGHT/bilinear, separated by commas, the first of which is "
+                 "the light map of other "
+                 "programs; photon maps to compare with");
+             options->amount.add_to(command);
+             command.option("--reference", options->reference,
+                            "Image of shlmbench reference: the page shows errors against it");
+             command.option("--out", options->out,
+                            "Folder for lit.glb, lightmap.exr, .npy and .json, viewer.html", Need::required);
+             options->scene.add_to(command);
+             options->methods.add_to(command);
+             options->run.add_to(command);
+             return [options] { run(*options); };
+         }});
 
 }  // namespace
 

@@ -12,9 +12,9 @@
 #include "bench/setup/command.h"
 #include "bench/setup/ending.h"
 #include "bench/setup/image_output.h"
-#include "bench/setup/numbers.h"
 #include "bench/setup/provenance.h"
 #include "bench/setup/run_options.h"
+#include "bench/setup/trace_amount.h"
 #include "common/core/input_error.h"
 #include "common/core/interrupt.h"
 #include "common/core/progress.h"
@@ -27,11 +27,11 @@ namespace bench {
 namespace {
 
 struct RenderOptions {
-    std::string file, method, map, out;
+    std::string file, method, out;
+    TraceAmount amount;
     SceneOptions scene;
     MethodOptions methods;
     RunOptions run;
-    std::string hits, photons;
     int width = 640, height = 360;
 };
 
@@ -49,15 +49,6 @@ struct Rendering {
     common::TraceReport trace;
     common::RejectedHits rejected;
 };
-
-common::TraceTarget target_of(const RenderOptions& options) {
-    if (!options.hits.empty() + !options.photons.empty() + !options.map.empty() != 1)
-        throw common::InputError(
-            "one of --hits and --photons says how much to trace, or --map what is traced already");
-    if (!options.map.empty()) return {};
-    if (!options.hits.empty()) return {.hits = parse_count("--hits", options.hits)};
-    return {.photons = parse_count("--photons", options.photons)};
-}
 
 /// Returns the memory that is left for the method beside the image.
 std::size_t max_map_bytes(const RenderOptions& options) {
@@ -110,7 +101,7 @@ Rendering gather_from_file(const RenderPlan& plan, const LoadedScene& loaded,
     const auto pixels = common::visible_surfaces(loaded.rays, loaded.camera, options.width, options.height);
     const std::unique_ptr<LightMapStore> sums = light_map->make_sums(prepared, source);
     const common::TraceReport trace =
-        sums->read(options.map, identity, shlm::TexelAtlas(texels.layout)).report();
+        sums->read(options.amount.map, identity, shlm::TexelAtlas(texels.layout)).report();
     stop_if_interrupted();
     const FinishedMap map = light_map->finish(*sums, trace);
     return {render_map(*map.answers, pixels, options.width, options.height), trace, sums->facts().rejected};
@@ -134,13 +125,13 @@ void warn_about_unlit_picture(const LoadedScene& loaded, const common::Image& im
 
 std::vector<std::filesystem::path> inputs_of(const RenderOptions& options) {
     std::vector<std::filesystem::path> inputs = common::source_files(options.file);
-    if (!options.map.empty()) inputs.emplace_back(options.map);
+    if (options.amount.is_traced_already()) inputs.emplace_back(options.amount.map);
     return inputs;
 }
 
 RenderPlan make_plan(const RenderOptions& options) {
     RenderPlan plan{options, parse_contender("--method", options.method), options.methods.settings(),
-                    target_of(options), max_map_bytes(options)};
+                    options.amount.target(), max_map_bytes(options)};
     check_image_output(options.out, options.width, options.height, [&] { return inputs_of(options); });
     check_replaces_a_rendered_image(options.out);
     require_memory(plan.method, plan.settings, plan.target.hits, plan.max_bytes);
@@ -162,7 +153,7 @@ void run(const RenderOptions& options) {
         };
         // A file of sums may not fit this scene, so its warnings come last; tracing takes long, so they come
         // first.
-        const bool from_file = !options.map.empty();
+        const bool from_file = options.amount.is_traced_already();
         if (!from_file) print_warnings();
         const Rendering made = from_file ? gather_from_file(plan, loaded, source, prepared)
                                          : trace_and_gather(plan, loaded, source, prepared);
@@ -195,10 +186,7 @@ const RegisteredCommand registered(
             command.option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb", Need::required);
             command.option("--method", options->method,
                            "photonmap, shlm, or a full name such as shlm/L2/radiance/knn4", Need::required);
-            command.option("--hits", options->hits,
-                           "Trace until there are at least this many hits, e.g. 1e6");
-            command.option("--photons", options->photons, "Trace exactly this many photons");
-            command.option("--map", options->map, "Trace nothing: take a light map's sums from trace's file");
+            options->amount.add_to(command);
             command.option("--out", options->out, "Image to write, .exr; the PNG goes beside it",
                            Need::required);
             command.whole_number("--width", options->width, "Pixels");

@@ -102,6 +102,16 @@ def median(rows, key, **wanted):
     return statistics.median(values) if values else None
 
 
+def medians_of(rows):
+    """Of every scene, method, filter and number of hits."""
+    keys = ("scene", "method", "filter", "hits_asked")
+    found = []
+    for values in dict.fromkeys(tuple(row[key] for key in keys) for row in rows):
+        known = dict(zip(keys, values))
+        found.append({**known, "rms": median(rows, "rms", **known), "error": median(rows, "error", **known)})
+    return found
+
+
 def cells_of(rows, scene, method):
     exact, hardware = ({"scene": scene, "method": method, "filter": name} for name in ("exact", "hardware"))
     plain = next(row["method"] for row in rows if row["method"].startswith(TRADITIONAL))
@@ -169,6 +179,7 @@ def main(arguments):
         return 2
     finally:
         browser.close()
+    document["medians"] = medians_of(document["rows"])
     given.out.mkdir(parents=True, exist_ok=True)
     (given.out / "realtime.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
     (given.out / "report.md").write_text(markdown(document), encoding="utf-8")

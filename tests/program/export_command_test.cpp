@@ -133,6 +133,9 @@ TEST_F(Export, RefusesWhatNoFragmentProgramCanAsk) {
         to_folder("out", {"--method", "shlm/L2/radiance/bilinear,shlm/L0/normalised/bilinear/t99"}),
         {"--method", "same texels"});
     expect_refusal({"export", cornell, "--out", path("out")}, {"--hits"});
+    expect_refusal({"export", cornell, "--out", path("out"), "--map", "map.exr", "--method",
+                    "shlm/L2/radiance/bilinear,shlm/L0/normalised/bilinear"},
+                   {"--map", "one method"});
 }
 
 TEST_F(Export, ReplacesOnlyWhatItMade) {

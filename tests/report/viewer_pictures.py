@@ -1,4 +1,4 @@
-"""How an exported page looks in each of its modes: viewer_pictures.py VIEWER.html OUT.png writes a sheet of them, and OUT-page.png, the page with its panel."""
+"""How an exported page looks in each of its modes: viewer_pictures.py VIEWER.html OUT.png writes a sheet of them."""
 
 import io
 import sys
@@ -10,7 +10,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 from PIL import Image, ImageDraw
 from report.browser import SOFTWARE_GRAPHICS, Browser, find_browser
 
-WIDTH, HEIGHT, PANEL, COLUMNS = 400, 225, 350, 3
+WIDTH, HEIGHT, PANEL, COLUMNS = 288, 162, 350, 4
 HARDWARE, TRADITIONAL = "fa=hardware", "a=1"
 MODES = {
     "order 4, exact filter": "", "traditional light map": TRADITIONAL, "order 4 beside the traditional one": "split=0.5&b=1&fb=exact", "hardware filter": HARDWARE,
@@ -27,7 +27,7 @@ def seen(browser, page, state, width, height):
 
 
 def save(picture, path):
-    picture.quantize(128, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE).save(path, optimize=True)
+    picture.quantize(64, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
 def main(page, out):
@@ -41,7 +41,6 @@ def main(page, out):
             sheet.paste(seen(browser, page, state.format(first=first), 2 * WIDTH + PANEL, 2 * HEIGHT).crop((0, 0, 2 * WIDTH, 2 * HEIGHT)).resize((WIDTH, HEIGHT)), (left, top + 18))
             pen.text((left + 4, top + 3), name, fill="black")
         save(sheet, out)
-        save(seen(browser, page, "split=0.5&b=1&fb=exact", 1280, 720), out.with_name(f"{out.stem}-page.png"))
 
 
 if __name__ == "__main__":

@@ -329,10 +329,13 @@ def constant_gather(comparison, study=None):
         theirs, _ = sizes_in_all(baseline_rows(comparison, baseline))
         verdicts.append(constancy_against(own, sure_growth(theirs, GATHER_US), bound))
         clauses.append(f"{baseline.name} {listing(spread_over_hits(theirs, GATHER_US))}")
+    plain = why_not_decided(lacking) if own == NOT_DECIDED else ""
+    if own == "conditional" and spreads:
+        plain = f"Beyond what the runs of a size differ by, sizes differ by up to {max(sure.values()):.2f} times."
     return Finding("constant-gather", says, own,
                    f"Slowest over fastest median over {hits_range(rows_of(comparison, comparison.light_map))}: {listing(spreads)}; "
                    f"beyond the noise (bound {bound}): {listing(sure)}; {billion_text}. Photon maps: {'; '.join(clauses)}.", *verdicts,
-                   condition=lacking_text(lacking), plain=why_not_decided(lacking) if own == NOT_DECIDED else "", figure=f"spread {range_text(spreads.values())}" if spreads else "",
+                   condition=lacking_text(lacking), plain=plain, figure=f"spread {range_text(spreads.values())}" if spreads else "",
                    scenes=tuple(spreads or all_rows), runs=runs_of([row for series in (rows if spreads else all_rows).values() for row in series]))
 
 

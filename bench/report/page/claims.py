@@ -21,7 +21,8 @@ FIGURES = {  # what a claim's number is; a claim that is not here has its number
     "constant-gather": "slowest over fastest search as the hits grow",
     "faster-gather": "time of a search, strongest photon map over light map",
     "billion-hits": "rate of tracing into the light map",
-    "normal-maps": "where normals are bent, beside a traditional light map",
+    "normal-maps": "order 2 beside a traditional light map",
+    "realtime": "what its light costs",
     "converges": "what is left of the error",
 }
 SYMBOLS = {"confirmed": "✓", "refuted": "✗", "conditional": "◐", "not decided": "?"}  # shape beside colour
@@ -55,6 +56,7 @@ def links(results, verdicts, row, name):
         ("report", folder / "report.md"),
         ("data", folder / "compare.json"),
         ("data", folder / "summary.json"),
+        ("data", folder / "realtime.json"),
     ]
     there = [link(results.link(path), word) for word, path in places if path.is_file()]
     return joined(there, " · ")

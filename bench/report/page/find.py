@@ -64,8 +64,8 @@ class Results:
         return max(self.studies, key=lambda s: rows_in(s.document), default=None)
 
     def context_of(self, folder_name):
-        """Of the comparison or study whose folder has this name; None without one."""
-        for source in (*self.comparisons, *self.studies):
+        """Of the comparison, study or measured pages whose folder has this name; None without one."""
+        for source in (*self.comparisons, *self.studies, *self.realtime):
             if source.name == folder_name:
                 return source.context
         return None

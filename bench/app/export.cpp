@@ -7,6 +7,7 @@
 #include "bench/contenders/contender_options.h"
 #include "bench/contenders/light_map.h"
 #include "bench/contenders/memory_need.h"
+#include "bench/contenders/reference_scene.h"
 #include "bench/contenders/trace_into.h"
 #include "bench/contenders/warnings.h"
 #include "bench/export/exported_map.h"
@@ -135,21 +136,13 @@ AnsweredView view_of(const ExportOptions& options, const LoadedScene& loaded) {
     view.width = reference.width;
     view.height = reference.height;
     view.pixel = common::visible_surfaces(loaded.rays, loaded.camera, view.width, view.height);
+    const std::vector<bool> elsewhere =
+        pixels_elsewhere(view.pixel, reference, loaded.scene, options.file, options.reference);
     std::vector<common::Rgb> irradiance;
-    std::size_t elsewhere = 0;
-    const float tolerance = 1e-4f * loaded.scene.diagonal();
     for (std::size_t p = 0; p < view.pixel.size(); ++p) {
-        const common::VisibleSurface& seen = view.pixel[p];
-        const auto& known = reference.pixel[p];
-        const bool same = seen.present == known.present &&
-                          (!seen.present || (seen.point.position - known.position).length() <= tolerance);
-        elsewhere += !same;
-        if (!same) view.pixel[p].present = false;
-        irradiance.push_back(same ? known.irradiance : common::Rgb(0, 0, 0));
+        if (elsewhere[p]) view.pixel[p].present = false;
+        irradiance.push_back(elsewhere[p] ? common::Rgb(0, 0, 0) : reference.pixel[p].irradiance);
     }
-    if (elsewhere * 100 > view.pixel.size())
-        throw common::InputError(fmt::format("{}: looks at other points than {}: another scene or camera",
-                                             options.reference, options.file));
     view.answers.emplace_back("reference", std::move(irradiance));
     return view;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -31,14 +32,25 @@ float degrees_between(const common::Vec3& a, const common::Vec3& b) {
     return std::acos(std::clamp(a.dot(b), -1.0f, 1.0f)) * 180 / std::numbers::pi_v<float>;
 }
 
-/// Returns whether the reference sees the same point. Rounding may occasionally send a ray past an edge.
-bool is_same(const common::VisibleSurface& seen, const common::reference::ReferencePoint& reference,
-             float tolerance) {
-    return seen.present == reference.present &&
-           (!seen.present || (seen.point.position - reference.position).length() <= tolerance);
-}
-
 }  // namespace
+
+std::vector<bool> pixels_elsewhere(std::span<const common::VisibleSurface> seen,
+                                   const common::reference::ReferenceImage& reference,
+                                   const common::Scene& scene, const std::string& scene_file,
+                                   const std::string& reference_file) {
+    const float tolerance = 1e-4f * scene.diagonal();
+    std::vector<bool> elsewhere;
+    for (std::size_t p = 0; p < seen.size(); ++p) {
+        const common::reference::ReferencePoint& known = reference.pixel[p];
+        elsewhere.push_back(
+            seen[p].present != known.present ||
+            (seen[p].present && (seen[p].point.position - known.position).length() > tolerance));
+    }
+    if (100 * static_cast<std::size_t>(std::count(elsewhere.begin(), elsewhere.end(), true)) > seen.size())
+        throw common::InputError(fmt::format("{}: looks at other points than {}: another scene or camera",
+                                             reference_file, scene_file));
+    return elsewhere;
+}
 
 void write_binary(const fs::path& file, const void* values, std::size_t bytes) {
     common::write_whole_file(file, {static_cast<const std::byte*>(values), bytes});
@@ -66,9 +78,10 @@ ReferenceScene::ReferenceScene(const fs::path& file, const fs::path& reference_f
     width_ = reference.width;
     height_ = reference.height;
     const auto seen = common::visible_surfaces(loaded_.rays, loaded_.camera, width_, height_);
-    const float tolerance = 1e-4f * loaded_.scene.diagonal();
+    const std::vector<bool> elsewhere =
+        pixels_elsewhere(seen, reference, loaded_.scene, file.string(), reference_file.string());
     for (std::uint32_t p = 0; p < seen.size(); ++p) {
-        if (!is_same(seen[p], reference.pixel[p], tolerance)) {
+        if (elsewhere[p]) {
             ++pixels_elsewhere_;
         } else if (seen[p].present) {
             points_.push_back(seen[p].point);
@@ -77,9 +90,6 @@ ReferenceScene::ReferenceScene(const fs::path& file, const fs::path& reference_f
             variance_.push_back(reference.pixel[p].variance);
         }
     }
-    if (pixels_elsewhere_ * 100 > seen.size())
-        throw common::InputError(fmt::format("{}: looks at other points than {}: another scene or camera",
-                                             reference_file.string(), file.string()));
     const auto note = reference.notes.find("shlmbench:fingerprint");
     same_version_ = note != reference.notes.end() && note->second == fingerprint_;
     if (!same_version_)

@@ -7,9 +7,18 @@
 
 #include "bench/contenders/contender.h"
 #include "common/image/image.h"
+#include "common/reference/reference_image.h"
 #include "common/tracer/photon_source.h"
 
 namespace bench {
+
+/// Which of the camera's pixels see another point than a reference does: rounding may occasionally send a ray
+/// past an edge. Throws InputError, naming both files, where more than a hundredth do: the reference belongs
+/// to another camera or scene.
+[[nodiscard]] std::vector<bool> pixels_elsewhere(std::span<const common::VisibleSurface> seen,
+                                                 const common::reference::ReferenceImage& reference,
+                                                 const common::Scene& scene, const std::string& scene_file,
+                                                 const std::string& reference_file);
 
 /// Its members refer to each other, so it is not movable.
 class ReferenceScene {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -28,13 +30,16 @@ constexpr std::array<const char*, 11> scripts = {"tools.js",    "glb.js",    "sh
                                                  "camera.js",   "state.js",  "points.js",  "probe.js",
                                                  "controls.js", "timing.js", "main.js"};
 
-/// zlib's format, which browsers call deflate.
-std::string deflated(std::string_view bytes) {
-    uLongf size = compressBound(bytes.size());
+/// Returns bytes in zlib's format, which browsers call deflate; empty where that takes more than `most`
+/// bytes.
+std::string deflated(std::string_view bytes, std::size_t most) {
+    uLongf size = std::min<std::size_t>(compressBound(bytes.size()), most);
     std::string packed(size, '\0');
-    if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                  reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION) != Z_OK)
-        throw std::runtime_error("zlib cannot compress the page's data");
+    const int ended =
+        compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+                  reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION);
+    if (ended == Z_BUF_ERROR) return "";
+    if (ended != Z_OK) throw std::runtime_error("zlib cannot compress the page's data");
     packed.resize(size);
     return packed;
 }
@@ -146,16 +151,15 @@ std::string viewer_page(const std::string& glb, const Json& facts, const Answere
     std::string script = "(() => {\n\"use strict\";\n";
     for (const char* name : scripts) script += std::string(viewer_asset(name)) + "\n";
     script += "})();";
-    const std::string scene = base64(deflated(glb));
+    const std::string scene = base64(deflated(glb, most_page_bytes / 4 * 3));  // four digits for three bytes
     const std::array<std::pair<std::string_view, std::string>, 7> parts = {{
         {"title", html_text(facts.at("scene").get<std::string>())},
         {"style", std::string(viewer_asset("viewer.css"))},
         {"vertex", std::string(viewer_asset("lit.vert"))},
         {"fragment", std::string(viewer_asset("lit.frag"))},
         {"about", script_json(about)},
-        {"data",
-         fmt::format("{{\"glb\":\"{}\",\"view\":\"{}\"}}", scene.size() <= most_page_bytes ? scene : "",
-                     base64(deflated(view_floats(view))))},
+        {"data", fmt::format("{{\"glb\":\"{}\",\"view\":\"{}\"}}", scene,
+                             base64(deflated(view_floats(view), SIZE_MAX)))},
         {"script", script},
     }};
     return filled(viewer_asset("viewer.html"), parts);

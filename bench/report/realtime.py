@@ -12,12 +12,12 @@ import sys
 from pathlib import Path
 
 from report.browser import SOFTWARE_GRAPHICS, Browser, BrowserError, find_browser
+from report.claims.realtime_claims import TRADITIONAL, at_most_hits, costs_by_hits
 from report.markdown import table_text
-from report.text import NOTHING, bytes_text, hits_text, is_number, machine_text, number_text
+from report.text import NOTHING, bytes_text, hits_text, machine_text, number_text, share_text
 
 # L4 keeps the numbers of lower orders, too.
 MAPS = ("shlm/L4/radiance", "shlm/L2/radiance", "shlm/L1/radiance", "shlm/L0/normalised", "shlm/H4/radiance", "shlm/AD/radiance", "shlm/YL2/radiance")
-TRADITIONAL = "shlm/L0/normalised"
 FILES = ("lit.glb", "lightmap.exr", "lightmap.npy", "viewer.html")
 HEADS = ("scene", "basis", "exact filter: difference", "hardware filter: difference", "error, exact", "error, hardware", "error beside the traditional map's")
 COST_HEADS = ("basis", "bytes a texel", "beside the traditional map", "hardware: fetches", "bytes", "exact: fetches", "bytes")
@@ -92,10 +92,6 @@ def measured(given, browser, scene):
     return context, {"scene": scene.stem, "normal_maps": normal_maps_in(folder / "lit.glb"), "atlas": about["atlas"], "files": files}, rows
 
 
-def percent(value):
-    return f"{number_text(100 * value)}\u00a0%" if is_number(value) else NOTHING
-
-
 def median(rows, key, **wanted):
     """Over the seeds; None where it was not measured."""
     values = [row[key] for row in rows if key in row and all(row[k] == v for k, v in wanted.items())]
@@ -118,7 +114,7 @@ def cells_of(rows, scene, method):
     error, traditional = median(rows, "error", **hardware), median(rows, "error", **{**hardware, "method": plain})
     beside = number_text(error / traditional, 2) if error and traditional else NOTHING
     basis = next(row["basis"] for row in rows if row["method"] == method)
-    return [scene, basis, number_text(median(rows, "rms", **exact), 2), number_text(median(rows, "rms", **hardware), 2), percent(median(rows, "error", **exact)), percent(error), beside]
+    return [scene, basis, number_text(median(rows, "rms", **exact), 2), number_text(median(rows, "rms", **hardware), 2), share_text(median(rows, "error", **exact)), share_text(error), beside]
 
 
 def cost_cells(rows, method):
@@ -129,13 +125,12 @@ def cost_cells(rows, method):
 
 
 def markdown(document):
-    most = max(row["hits_asked"] for row in document["rows"])
-    rows = [row for row in document["rows"] if row["hits_asked"] == most]
+    rows = at_most_hits(document)
+    most = rows[0]["hits_asked"]
     methods = list(dict.fromkeys(row["method"] for row in rows))
     scenes = [entry["scene"] for entry in document["scenes"]]
     sizes = [[entry["scene"], f"{entry['atlas']['width']} x {entry['atlas']['height']}", *(bytes_text(entry["files"][f"{most:g}"][name]) for name in FILES)] for entry in document["scenes"]]
-    constant = all(len({tuple((r[k] for k in ("fetches", "bytes", "texel_bytes"))) for r in document["rows"] if (r["method"], r["filter"]) == key}) == 1
-                   for key in {(r["method"], r["filter"]) for r in document["rows"]})
+    constant = all(len(found) == 1 for found in costs_by_hits(document).values())
     words = "The cost of a fragment is the same at both numbers of hits." if constant else "THE COST OF A FRAGMENT DEPENDS ON THE HITS."
     return "\n".join([
         "# Light maps in a fragment program", "",

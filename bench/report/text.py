@@ -51,6 +51,11 @@ def percent_text(error):
     return f"{number_text(100 * math.sqrt(error))}\u00a0%" if is_number(error) and error > 0 else NOTHING
 
 
+def share_text(share):
+    """0.0123 -> 1.23 %"""
+    return f"{number_text(100 * share)}\u00a0%" if is_number(share) else NOTHING
+
+
 def seconds_text(seconds):
     if not is_number(seconds):
         return NOTHING

@@ -23,7 +23,6 @@ from report.elsewhere.text import markdown, summary_cells
 from report.study.data import StudyError
 
 
-
 def parsed(arguments):
     parser = argparse.ArgumentParser(prog="bench/report elsewhere", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", metavar="PROGRAM")

@@ -9,7 +9,7 @@ from pathlib import Path
 from report.fit.search import KINDS, cost, read_fit, root_mean
 from report.markdown import table_text
 from report.study.data import StudyError
-from report.text import NOTHING, bytes_text, hits_text, number_text, seconds_text
+from report.text import NOTHING, bytes_text, hits_text, seconds_text, share_text
 
 HEADS = (
     "scene",
@@ -27,10 +27,6 @@ HEADS = (
 )
 
 
-def percent_text(share):
-    return f"{number_text(100 * share)}\u00a0%"
-
-
 def cells(fit, kind):
     entry = fit[kind]
     start = [fit["scene"], f"{100 * fit['target']:g}\u00a0%", fit["least"], kind.replace("_", " ")]
@@ -45,9 +41,9 @@ def cells(fit, kind):
         hits_text(choice["hits"]),
         bytes_text(cost(entry, "bytes")),
         seconds_text(cost(entry, "seconds")),
-        percent_text(choice["error"]),
-        percent_text(root_mean(run["error"] ** 2 for run in runs)) if runs else "not verified",
-        percent_text(without_worst) if runs else NOTHING,
+        share_text(choice["error"]),
+        share_text(root_mean(run["error"] ** 2 for run in runs)) if runs else "not verified",
+        share_text(without_worst) if runs else NOTHING,
         f"{met} of {len(runs)}" if runs else NOTHING,
     ]
 

@@ -244,6 +244,19 @@ TEST(FitCandidates, AdaptiveMapsAreAloneInTheirChains) {
     EXPECT_GT(chains.size(), 10u);
 }
 
+TEST(FitCosts, TakeTheTimePerHitOfTheLargestPilotForTracing) {
+    const std::vector<Candidate> candidates = {{CandidateKind::light_map, "L0/normalised", "own", 1024},
+                                               {CandidateKind::photon_radius, "disc", "r", 0.01}};
+    std::vector<PilotSample> samples(2);
+    for (PilotSample& sample : samples) sample.halves.a = sample.halves.b = {common::Rgb(1)};
+    samples[0].cost = {.hits = 1e4, .trace_seconds = 0.02, .insert_seconds = 0.001};  // settled early
+    samples[1].cost = {.hits = 1e6, .trace_seconds = 1, .insert_seconds = 0.3};
+    const auto costs = costs_of(candidates, samples);
+    EXPECT_DOUBLE_EQ(costs[0]->trace_seconds, 0.01);
+    EXPECT_EQ(costs[0]->insert_seconds, 0.001);
+    EXPECT_EQ(costs[1]->trace_seconds, 1);
+}
+
 TEST(FitCosts, AreCarriedOnToLightMapsThatWereNotMeasured) {
     const std::vector<Candidate> candidates = {{CandidateKind::light_map, "L2/radiance", "own", 1024},
                                                {CandidateKind::light_map, "L2/radiance", "own", 4096},

@@ -25,9 +25,8 @@ TEST_F(Compare, WritesItsTable) {
         EXPECT_EQ(row["method"],
                   i == 0 ? "photonmap/flann/k50/disc" : "photonmap/flann-incremental/k50/disc");
         EXPECT_GE(row["hits"], 2000);
-        for (const char* key :
-             {"photons_emitted", "trace_seconds", "build_seconds", "gather_us_per_query", "bytes",
-              "peak_rss_bytes", "prepare_seconds", "prepare_bytes"}) {
+        for (const char* key : {"photons_emitted", "trace_seconds", "build_seconds", "gather_us_per_query",
+                                "bytes", "peak_rss_bytes", "prepare_seconds", "prepare_bytes"}) {
             ASSERT_TRUE(row.contains(key)) << key;
             EXPECT_GT(row[key], 0) << key;
         }

@@ -1,5 +1,7 @@
 #include "bench/experiments/fit/cost_model.h"
 
+#include <algorithm>
+
 namespace bench::fit {
 
 FitCost cost_at(const Candidate& candidate, const PilotCost& pilot, double hits) {
@@ -9,6 +11,17 @@ FitCost cost_at(const Candidate& candidate, const PilotCost& pilot, double hits)
             .bytes = grows * pilot.bytes,
             .prepare_seconds = pilot.prepare_seconds};
 }
+
+namespace {
+
+/// Returns the seconds per hit of the largest pilot.
+double trace_seconds_per_hit(std::span<const PilotSample> samples) {
+    const PilotSample& largest =
+        *std::ranges::max_element(samples, {}, [](const PilotSample& sample) { return sample.cost.hits; });
+    return largest.present() ? largest.cost.trace_seconds / largest.cost.hits : 0;
+}
+
+}  // namespace
 
 std::vector<std::optional<PilotCost>> costs_of(std::span<const Candidate> candidates,
                                                std::span<const PilotSample> samples) {
@@ -25,6 +38,9 @@ std::vector<std::optional<PilotCost>> costs_of(std::span<const Candidate> candid
             costs[i]->prepare_seconds *= more;
         }
     }
+    const double trace_seconds = trace_seconds_per_hit(samples);
+    for (std::optional<PilotCost>& cost : costs)
+        if (cost) cost->trace_seconds = trace_seconds * cost->hits;
     return costs;
 }
 

@@ -21,7 +21,8 @@ struct FitCost {
 
 /// Returns the costs in the candidates' order. A candidate that was not measured gets those of the next
 /// coarser one of its chain. For light maps, bytes and building times are scaled by the ratio of their
-/// texels.
+/// texels. Tracing takes the same time per hit for all: that of the sample with the most hits. Small pilots
+/// take up to twice as long per hit, which would be counted against candidates that needed no larger one.
 [[nodiscard]] std::vector<std::optional<PilotCost>> costs_of(std::span<const Candidate> candidates,
                                                              std::span<const PilotSample> samples);
 

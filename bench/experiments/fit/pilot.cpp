@@ -60,8 +60,8 @@ void add_cost(PilotCost& cost, const common::TraceReport& trace, const FilledSto
               const FinishedMap& map, double gather_seconds) {
     cost.hits += 0.5 * static_cast<double>(trace.hits);
     cost.trace_seconds += 0.5 * trace.trace_seconds;
-    cost.insert_seconds += 0.5 * filled.seconds();
-    cost.build_seconds += 0.5 * map.build_seconds;
+    cost.insert_seconds += 0.5 * filled.insert_seconds;
+    cost.build_seconds += 0.5 * (filled.making_room_seconds + map.build_seconds);
     cost.gather_seconds += 0.5 * gather_seconds;
     cost.bytes += 0.5 * static_cast<double>(map.answers->bytes());
     cost.prepare_seconds = filled.preparation.seconds;

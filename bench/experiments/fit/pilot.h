@@ -27,7 +27,7 @@ struct PilotCost {
     double hits = 0;
     double trace_seconds = 0;
     double insert_seconds = 0;
-    double build_seconds = 0;
+    double build_seconds = 0;    ///< making room for an empty store, and finishing it
     double gather_seconds = 0;   ///< for all points
     double bytes = 0;            ///< of the finished map
     double prepare_seconds = 0;  ///< once for the scene

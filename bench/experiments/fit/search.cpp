@@ -39,11 +39,20 @@ double price_of(const FitGoal& goal, const FitCost& cost) {
     return goal.least_bytes ? cost.bytes : cost.seconds;
 }
 
-/// Returns the cost of the candidate in the best case; infinite if it cannot reach the target.
-double least_price(const State& state, std::size_t i) {
-    const std::optional<double> hits = state.result.needed[i].least;
+/// Returns the cost of the candidate with so many hits; infinite where no number of hits is allowed.
+double price_with(const State& state, std::size_t i, const std::optional<double>& hits) {
     if (!hits || *hits > state.goal.max_hits) return std::numeric_limits<double>::infinity();
     return price_of(state.goal, cost_at(state.result.candidates[i], *state.result.costs[i], *hits));
+}
+
+/// Returns the cost of the candidate in the best case; infinite if it cannot reach the target.
+double least_price(const State& state, std::size_t i) {
+    return price_with(state, i, state.result.needed[i].least);
+}
+
+/// Returns the cost of the candidate if the estimates were exact.
+double likely_price(const State& state, std::size_t i) {
+    return price_with(state, i, state.result.needed[i].likely);
 }
 
 /// Returns the cost of the choice; infinite if nothing was reached.
@@ -85,14 +94,25 @@ bool is_beaten(const State& state, const Candidate& candidate, std::uint64_t hit
     return cost.trace_seconds * static_cast<double>(hits) / cost.hits > choice.proposal.cost.seconds;
 }
 
+/// Returns the cheapest of these candidates: half of them in the best case, half if the estimates were exact.
+/// The best case alone prefers those of which little is known, however unlikely it is that they do.
+std::vector<std::size_t> cheapest(const State& state, std::vector<std::size_t> rivals) {
+    if (rivals.size() <= most_rivals) return rivals;
+    const auto middle = rivals.begin() + most_rivals / 2, end = rivals.begin() + most_rivals;
+    std::ranges::partial_sort(rivals, middle, {}, [&](std::size_t i) { return least_price(state, i); });
+    std::ranges::partial_sort(middle, end, rivals.end(), {},
+                              [&](std::size_t i) { return likely_price(state, i); });
+    rivals.erase(end, rivals.end());
+    return rivals;
+}
+
 /// Returns the candidates of one kind that are worth tracing. These are all whose model or cost is unknown,
-/// and of those that may be as cheap as the choice and are not settled, the ones that are cheapest in the
-/// best case.
+/// and the cheapest of those that may be as cheap as the choice and are not settled.
 std::vector<std::size_t> rivals(const State& state, std::uint64_t hits, bool light_maps) {
     const FitResult& result = state.result;
     const double price = price_of(state, light_maps ? result.light_map : result.photon_map);
     std::vector<std::size_t> chosen;
-    std::vector<std::pair<double, std::size_t>> known;
+    std::vector<std::size_t> known;
     for (const std::size_t i : all_measurable(state, hits)) {
         if (result.candidates[i].is_light_map() != light_maps || is_beaten(state, result.candidates[i], hits))
             continue;
@@ -101,11 +121,9 @@ std::vector<std::size_t> rivals(const State& state, std::uint64_t hits, bool lig
             continue;
         }
         const double least = least_price(state, i);
-        if (std::isfinite(least) && least <= price && !is_settled(state, i)) known.emplace_back(least, i);
+        if (std::isfinite(least) && least <= price && !is_settled(state, i)) known.push_back(i);
     }
-    std::sort(known.begin(), known.end());
-    if (known.size() > most_rivals) known.resize(most_rivals);
-    for (const auto& [least, i] : known) chosen.push_back(i);
+    for (const std::size_t i : cheapest(state, std::move(known))) chosen.push_back(i);
     return chosen;
 }
 

@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "bench/contenders/adaptive_map.h"
 #include "bench/contenders/contender_options.h"
 #include "bench/contenders/light_map.h"
 #include "bench/contenders/memory_need.h"
 #include "bench/contenders/reference_scene.h"
 #include "bench/contenders/trace_into.h"
 #include "bench/contenders/warnings.h"
+#include "bench/export/expanded_map.h"
 #include "bench/export/exported_map.h"
 #include "bench/export/light_atlas.h"
 #include "bench/export/lightmap_files.h"
@@ -29,6 +31,7 @@
 #include "common/core/progress.h"
 #include "common/core/standard_streams.h"
 #include "common/core/threads.h"
+#include "common/difference/error_metrics.h"
 #include "common/difference/flip.h"
 #include "common/gltf/source_files.h"
 #include "common/reference/reference_image.h"
@@ -53,7 +56,7 @@ struct ExportOptions {
 /// A request, checked.
 struct ExportPlan {
     const ExportOptions& options;
-    std::vector<Contender> maps;    ///< light maps of halves, asked as a fragment program can
+    std::vector<Contender> maps;    ///< light maps, asked as a fragment program can
     std::vector<Contender> beside;  ///< photon maps: their answers at the camera's points
     ContenderSettings settings;
     common::TraceTarget target;
@@ -64,21 +67,22 @@ struct FilledMaps {
     std::vector<ExportedMap> maps;
     common::TraceReport trace;
     AnsweredView view;
+    std::optional<shlm::TexelLayout> layout;  ///< of the exported texels
 };
 
-/// The same light map as it is exported: in halves.
+const AdaptiveLightMap* adaptive(const Contender& contender) {
+    return dynamic_cast<const AdaptiveLightMap*>(contender.light_map());
+}
+
+/// The same light map as it is exported: in halves, which an adaptive map has anyway.
 Contender exported(const Contender& contender) {
-    const auto* uniform = dynamic_cast<const UniformLightMap*>(contender.light_map());
-    if (!uniform)
-        throw common::InputError(
-            fmt::format("--method: {} is an adaptive map; take a basis, such as "
-                        "shlm/L2/normalised/bilinear",
-                        contender.name));
-    if (!std::holds_alternative<shlm::Bilinear>(uniform->setting().gather))
+    if (!std::holds_alternative<shlm::Bilinear>(contender.light_map()->setting().gather))
         throw common::InputError(
             fmt::format("--method: {} is no bilinear map; a fragment program has no search "
                         "for texels near in space",
                         contender.name));
+    if (adaptive(contender)) return contender;
+    const auto* uniform = static_cast<const UniformLightMap*>(contender.light_map());
     const auto technique = std::make_shared<UniformLightMap>(uniform->setting(), uniform->least_hits(), true);
     return {technique->name(), technique};
 }
@@ -101,6 +105,8 @@ ExportPlan make_plan(const ExportOptions& options) {
     for (const Contender& map : plan.maps)
         if (!same_texels(map, plan.maps.front(), plan.settings))
             throw common::InputError("--method: light maps of one export have the same texels");
+    if (plan.maps.size() > 1 && std::any_of(plan.maps.begin(), plan.maps.end(), adaptive))
+        throw common::InputError("--method: an adaptive map has texels of its own, and is exported alone");
     if (options.amount.is_traced_already() && plan.maps.size() + plan.beside.size() > 1)
         throw common::InputError("--map: holds the sums of one method");
     std::vector<fs::path> inputs = common::source_files(options.file);
@@ -147,11 +153,15 @@ AnsweredView view_of(const ExportOptions& options, const LoadedScene& loaded) {
     return view;
 }
 
-void add_answers(AnsweredView& view, const std::string& name, const Answers& answers) {
+std::vector<common::SurfacePoint> points_of(const AnsweredView& view) {
     std::vector<common::SurfacePoint> points;
     for (const common::VisibleSurface& seen : view.pixel)
         if (seen.present) points.push_back(seen.point);
-    const std::vector<common::Rgb> found = ask(answers, points);
+    return points;
+}
+
+void add_answers(AnsweredView& view, const std::string& name, const Answers& answers) {
+    const std::vector<common::Rgb> found = ask(answers, points_of(view));
     std::vector<common::Rgb> of_pixels(view.pixel.size(), common::Rgb(0, 0, 0));
     std::size_t next = 0;
     for (std::size_t p = 0; p < view.pixel.size(); ++p)
@@ -159,13 +169,39 @@ void add_answers(AnsweredView& view, const std::string& name, const Answers& ans
     view.answers.emplace_back(name, std::move(of_pixels));
 }
 
+/// Takes over an adaptive map as texels, and asks these.
+void take_expanded(const Contender& contender, const shlm::TexelLayout& layout, LightMapStore& store,
+                   FilledMaps& made) {
+    const shlm::AdaptiveMap map = adaptive(contender)->map_of(store, made.trace);
+    ExpandedMap expanded = expand(map, layout, store);
+    const std::vector<common::SurfacePoint> points = points_of(made.view);
+    const std::unique_ptr<const Answers> texels = answers_of_texels(expanded);
+    const double differs =
+        common::difference(ask(*texels, points), ask(*answers_of(map), points)).relative_rms;
+    add_answers(made.view, contender.name, *texels);
+    const Expansion expansion{map.bytes(), expanded.bytes(), differs};
+    made.maps.push_back({contender, std::move(expanded.texels), expansion});
+    made.layout = std::move(expanded.layout);
+}
+
 /// Of a light map's store that is filled: takes over what it keeps, and asks it.
-void take_map(const Contender& contender, LightMapStore& store, FilledMaps& made) {
-    const auto& uniform = static_cast<const UniformLightMap&>(*contender.light_map());
-    made.maps.push_back({contender, uniform.texels(store, made.trace)});
+void take_map(const Contender& contender, const shlm::TexelLayout& layout, LightMapStore& store,
+              FilledMaps& made) {
+    if (adaptive(contender)) {
+        take_expanded(contender, layout, store, made);
+    } else {
+        const auto& uniform = static_cast<const UniformLightMap&>(*contender.light_map());
+        made.maps.push_back({contender, uniform.texels(store, made.trace)});
+        add_answers(made.view, contender.name, *uniform.finish(store, made.trace).answers);
+        made.layout = layout;
+    }
     require_finite(made.maps.back());
-    add_answers(made.view, contender.name, *uniform.finish(store, made.trace).answers);
     stop_if_interrupted();
+}
+
+/// Of the texels that all maps sum in.
+const shlm::TexelLayout& layout_of(const ExportPlan& plan, PreparedScene& prepared) {
+    return plan.maps.front().light_map()->texels_of(prepared).layout;
 }
 
 void trace_maps(const ExportPlan& plan, const LoadedScene& loaded, const common::PhotonSource& source,
@@ -185,7 +221,8 @@ void trace_maps(const ExportPlan& plan, const LoadedScene& loaded, const common:
          }});
     stop_if_interrupted();
     for (std::size_t i = 0; i < plan.maps.size(); ++i)
-        take_map(plan.maps[i], static_cast<LightMapStore&>(*stores[i].store), made);
+        take_map(plan.maps[i], layout_of(plan, prepared), static_cast<LightMapStore&>(*stores[i].store),
+                 made);
     for (std::size_t i = 0; i < plan.beside.size(); ++i) {
         const Contender& contender = plan.beside[i];
         const FinishedMap map = contender->finish(*stores[plan.maps.size() + i].store, made.trace);
@@ -206,7 +243,7 @@ void read_map(const ExportPlan& plan, const common::PhotonSource& source, Prepar
         sums->read(plan.options.amount.map, identity, shlm::TexelAtlas(light_map.texels_of(prepared).layout))
             .report();
     stop_if_interrupted();
-    take_map(plan.maps.front(), *sums, made);
+    take_map(plan.maps.front(), layout_of(plan, prepared), *sums, made);
 }
 
 std::string hash_of(std::string_view bytes) {
@@ -249,15 +286,14 @@ Json summary(const ExportPlan& plan, const FilledMaps& made, const ExportedRun& 
             {"maps", std::move(maps)},        {"lit.glb", {{"bytes", glb.size()}, {"fnv1a", hash_of(glb)}}}};
 }
 
-void write(const ExportPlan& plan, FilledMaps& made, const LoadedScene& loaded,
-           const shlm::PreparedTexels& texels) {
+void write(const ExportPlan& plan, FilledMaps& made, const LoadedScene& loaded) {
     const ExportedRun run{loaded.name, common::fingerprint(loaded.scene), plan.options.run.seed,
                           made.trace.hits, made.trace.fates.emitted};
-    const LightAtlas atlas = make_light_atlas(texels.layout, texels.geometry);
-    const std::vector<LitPrimitive> primitives = lit_primitives(loaded.scene, texels.layout, atlas);
+    const LightAtlas atlas = make_light_atlas(*made.layout, made.maps.front().texels.face);
+    const std::vector<LitPrimitive> primitives = lit_primitives(loaded.scene, *made.layout, atlas);
     find_places(made.view, primitives);
     add_flip(made.view);
-    const std::string glb = lit_glb({loaded, texels, atlas, primitives, made.maps, run});
+    const std::string glb = lit_glb({loaded, atlas, primitives, made.maps, run});
     const Json all = summary(plan, made, run, atlas, glb);
     const std::string page = viewer_page(glb, all, made.view);
     stop_if_interrupted();
@@ -270,6 +306,10 @@ void write(const ExportPlan& plan, FilledMaps& made, const LoadedScene& loaded,
     write_text(out / "viewer.html", page);
     for (const char* name : {"lit.glb", "lightmap.exr", "lightmap.npy", "lightmap.json", "viewer.html"})
         common::print_result(fmt::format("{}: {} bytes\n", (out / name).string(), fs::file_size(out / name)));
+    if (const auto& expansion = made.maps.front().expansion)
+        common::print_result(fmt::format("{}: {} bytes as blocks, {} as texels\n",
+                                         made.maps.front().method.name, expansion->bytes_of_map,
+                                         expansion->bytes_of_texels));
 }
 
 void run(const ExportOptions& options) {
@@ -289,7 +329,7 @@ void run(const ExportOptions& options) {
             trace_maps(plan, loaded, source, prepared, made);
         else
             read_map(plan, source, prepared, made);
-        write(plan, made, loaded, plan.maps.front().light_map()->texels_of(prepared));
+        write(plan, made, loaded);
     });
 }
 
@@ -301,9 +341,9 @@ const RegisteredCommand registered(
              command.option("SCENE", options->file, "glTF 2.0 file, .gltf or .glb", Need::required);
              command.option(
                  "--method", options->names,
-                 "Light maps, shlm/BASIS/WEIGHT/bilinear, separated by commas, the first of which is "
-                 "the light map of other "
-                 "programs; photon maps to compare with");
+                 "Light maps, shlm/BASIS/WEIGHT/bilinear, separated by commas, the first of which is the "
+                 "light map "
+                 "of other programs; or one adaptive map, such as shlm/a5; photon maps to compare with");
              options->amount.add_to(command);
              command.option("--reference", options->reference,
                             "Image of shlmbench reference: the page shows errors against it");

@@ -24,6 +24,9 @@ class LightMapStore : public Store {
     virtual void write(const std::filesystem::path& file, const shlm::MapRun& run,
                        const shlm::TexelAtlas& atlas) const = 0;
 
+    /// Returns the hits on one texel of the layout.
+    [[nodiscard]] virtual std::uint64_t hits(std::size_t texel) const = 0;
+
     /// Data that several maps of one store share; the technique knows its type.
     [[nodiscard]] std::any& shared() { return shared_; }
 

@@ -32,6 +32,8 @@ class SumsStore final : public LightMapStore {
         shlm::write_checkpoint(file, run, atlas, sink_.accumulator());
     }
 
+    std::uint64_t hits(std::size_t texel) const override { return sink_.accumulator().sums().hits(texel); }
+
     [[nodiscard]] const shlm::Sink<Model>& sink() const { return sink_; }
 
   private:

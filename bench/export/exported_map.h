@@ -6,10 +6,18 @@
 
 namespace bench {
 
+/// What it costs to hand on an adaptive map as texels.
+struct Expansion {
+    std::size_t bytes_of_map, bytes_of_texels;
+    double relative_rms;  ///< of the texels' answers beside the map's own, at the points that the camera sees
+};
+
 struct ExportedMap {
     Contender method;
     StoredTexels texels;
+    std::optional<Expansion> expansion{};  ///< of an adaptive map
 
+    /// Returns what the texels keep: of an adaptive map order 2.
     [[nodiscard]] const LightBasis& basis() const { return *method.light_map()->setting().basis; }
 };
 

@@ -6,7 +6,7 @@ namespace {
 /// Spreads what is shown from pixel to pixel over one rectangle and its gutter: breadth first, so that each
 /// pixel gets the nearest covered texel by steps along rows and columns.
 void fill(LightAtlas& atlas, const shlm::TexelAtlas::Rectangle& rectangle,
-          std::span<const shlm::TexelGeometry> geometry) {
+          std::span<const shlm::TexelFace> face) {
     const std::size_t width = atlas.places.width(), gutter = atlas.places.gutter();
     const std::size_t left = rectangle.left - gutter, right = rectangle.left + rectangle.width + gutter;
     const std::size_t top = rectangle.top - gutter, bottom = rectangle.top + rectangle.height + gutter;
@@ -14,7 +14,7 @@ void fill(LightAtlas& atlas, const shlm::TexelAtlas::Rectangle& rectangle,
     for (std::uint32_t y = 0; y < rectangle.height; ++y)
         for (std::uint32_t x = 0; x < rectangle.width; ++x) {
             const std::uint32_t texel = rectangle.first_texel + y * rectangle.width + x;
-            if (geometry[texel].area == 0) continue;
+            if (face[texel].area == 0) continue;
             reached.push_back((std::size_t{rectangle.top} + y) * width + rectangle.left + x);
             atlas.shown[reached.back()] = texel;
         }
@@ -34,11 +34,11 @@ void fill(LightAtlas& atlas, const shlm::TexelAtlas::Rectangle& rectangle,
 
 }  // namespace
 
-LightAtlas make_light_atlas(const shlm::TexelLayout& layout, std::span<const shlm::TexelGeometry> geometry) {
+LightAtlas make_light_atlas(const shlm::TexelLayout& layout, std::span<const shlm::TexelFace> face) {
     LightAtlas atlas{shlm::TexelAtlas(layout, light_atlas_gutter), {}};
     atlas.shown.assign(std::size_t{atlas.places.width()} * atlas.places.height(), shlm::no_texel);
     for (const shlm::TexelAtlas::Rectangle& rectangle : atlas.places.rectangles())
-        fill(atlas, rectangle, geometry);
+        fill(atlas, rectangle, face);
     return atlas;
 }
 

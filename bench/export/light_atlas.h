@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shlm/file/texel_atlas.h"
-#include "shlm/layout/texel_geometry.h"
+#include "shlm/map/texel_lookup.h"
 
 namespace bench {
 
@@ -23,8 +23,8 @@ struct LightAtlas {
     [[nodiscard]] std::size_t pixel_count() const { return shown.size(); }
 };
 
-/// `geometry`: of the layout's texels.
+/// `face`: of the layout's texels; those without area are uncovered.
 [[nodiscard]] LightAtlas make_light_atlas(const shlm::TexelLayout& layout,
-                                          std::span<const shlm::TexelGeometry> geometry);
+                                          std::span<const shlm::TexelFace> face);
 
 }  // namespace bench

@@ -17,6 +17,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* unit_text = "W/m^2 of irradiance, linear Rec. 709, not divided by pi";
 
+constexpr const char* expansion_text =
+    "the adaptive map's blocks are written as texels of order 2, in each region as large as its smallest "
+    "block; "
+    "relative_rms: how the texels' answers differ from the map's own at the points that the camera sees";
+
 std::vector<std::string> channels_of(const ExportedMap& map) {
     std::vector<std::string> channels = {"R", "G", "B"};
     for (std::size_t i = 0; i < map.texels.numbers; ++i) channels.push_back(map.basis().number_name(i));
@@ -51,7 +56,7 @@ void for_each_pixel(const LightAtlas& atlas, Use use) {
 Json description_of(const ExportedMap& map) {
     Json names = Json::array();
     for (std::size_t i = 0; i < map.texels.numbers; ++i) names.push_back(map.basis().number_name(i));
-    return {
+    Json about = {
         {"method", map.method.name},
         {"fields", map.method->fields()},
         {"basis", map.basis().name},
@@ -61,6 +66,12 @@ Json description_of(const ExportedMap& map) {
         {"unit", map.texels.unit},
         {"unit_means",
          fmt::format("the first light_numbers of the half floats are in units of this many {}", unit_text)}};
+    if (const auto& expansion = map.expansion)
+        about["expansion"] = {{"bytes_of_map", expansion->bytes_of_map},
+                              {"bytes_of_texels", expansion->bytes_of_texels},
+                              {"relative_rms", expansion->relative_rms},
+                              {"means", expansion_text}};
+    return about;
 }
 
 Json description_of(const LightAtlas& atlas) {
@@ -91,7 +102,8 @@ void write_lightmap_exr(const std::filesystem::path& file, const ExportedMap& ma
     notes["shlmbench:seed"] = std::to_string(run.seed);
     notes["shlmbench:hits"] = std::to_string(run.hits);
     notes["shlmbench:photons_emitted"] = std::to_string(run.photons);
-    common::write_exr(file, image, notes);
+    const std::string hits = "hits";  // a half holds no more than 2048 of them exactly
+    common::write_exr(file, image, notes, common::Precision::half, std::span(&hits, 1));
 }
 
 void write_lightmap_npy(const std::filesystem::path& file, const ExportedMap& map, const LightAtlas& atlas) {

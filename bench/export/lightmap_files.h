@@ -10,7 +10,8 @@ namespace bench {
 
 /// One part. R, G, B: irradiance of the texel's own normal, W/m^2, never negative, which image viewers show:
 /// the traditional light map. Then a channel for each number (shlm::Basis::number_name), light in W/m^2;
-/// covered.A, 1 where a triangle covers the texel; hits. The header has basis, formula, unit and provenance.
+/// covered.A, 1 where a triangle covers the texel; hits, never rounded. The header has basis, formula, unit
+/// and provenance.
 void write_lightmap_exr(const std::filesystem::path& file, const ExportedMap& map, const LightAtlas& atlas,
                         const ExportedRun& run);
 

@@ -276,7 +276,7 @@ class GlbBuilder {
         });
         std::vector<float> hits(faces.size(), 0);
         scene_.atlas.places.for_each([&](std::size_t texel, std::size_t pixel) {
-            if (scene_.texels.geometry[texel].area > 0) faces[pixel].w = first.face[texel].area;
+            faces[pixel].w = first.face[texel].area;
             hits[pixel] = static_cast<float>(first.hits[texel]);
         });
         nlohmann::ordered_json maps = nlohmann::ordered_json::array();

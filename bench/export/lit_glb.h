@@ -14,10 +14,9 @@ inline constexpr const char* lightmap_extension = "SHLM_lightmap";
 
 struct LitScene {
     const LoadedScene& loaded;
-    const shlm::PreparedTexels& texels;
     const LightAtlas& atlas;
     std::span<const LitPrimitive> primitives;
-    std::span<const ExportedMap> maps;  ///< of these texels, at least one; the first is the light map
+    std::span<const ExportedMap> maps;  ///< of the atlas's texels, at least one; the first is the light map
     const ExportedRun& run;
 };
 

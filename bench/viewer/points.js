@@ -19,6 +19,12 @@ class StoredView {
     this.points = [...Array(pixels).keys()].filter(p => this.place[4 * p] >= 0);
   }
 
+  /** The shading normal of a pixel's point, as the scene's own normal maps bend it. */
+  normalOf(pixel, renderer) {
+    this.normals = this.normals || renderer.measurePoints(this, { choice: renderer.choices[0], exact: true }).normal;
+    return [...this.normals.subarray(4 * pixel, 4 * pixel + 3)];
+  }
+
   /** The points' values of an answer, channel by channel. */
   valuesOf(answer, stride = 3) { return this.points.flatMap(p => [0, 1, 2].map(c => answer[stride * p + c])); }
 }

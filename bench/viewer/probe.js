@@ -42,13 +42,22 @@ function hemispheres(renderer, choices, found, exposure) {
   gl.deleteFramebuffer(target);
   gl.deleteRenderbuffer(buffer);
   const along = cross(found.face, across);
-  return { discs, at: [dot(found.normal, across), dot(found.normal, along)] };
+  return { discs, placeOf: normal => [dot(normal, across), dot(normal, along)].map(s => DISC * (s + 1) / 2) };
 }
 
-function discFigure(image, at, words) {
+/** `truth`: {at, color} of the reference, where it is known. */
+function discFigure(image, [x, y], truth, words) {
   const canvas = make("canvas", { width: DISC, height: DISC }), pen = canvas.getContext("2d");
   pen.putImageData(image, 0, 0); // rows from the bottom: v upwards, as drawn
-  const [x, y] = at.map(s => DISC * (s + 1) / 2);
+  if (truth) {
+    pen.beginPath();
+    pen.arc(...truth.at, 6, 0, 2 * Math.PI);
+    pen.fillStyle = `rgb(${truth.color.map(Math.round).join(",")})`;
+    pen.fill();
+    pen.strokeStyle = "#ffffff";
+    pen.lineWidth = 1;
+    pen.stroke();
+  }
   pen.strokeStyle = "#ffffff";
   pen.lineWidth = 3;
   pen.strokeRect(x - 3, y - 3, 6, 6);
@@ -71,12 +80,17 @@ function showProbe(viewer, x, y, width, height) {
   const lines = [`Texel ${found.texel.join(", ")} of the atlas, ${found.hits} hits. Its normal is bent by ${digits(tilt, 2)}° here.`,
     `${look.choice.label}, ${look.exact ? "exact" : "hardware"} filter: ${rgbText(found.irradiance)} W/m².`];
   const near = view && nearestPixel(view, found.position, 0.01 * renderer.size), truth = view && view.answer.get("reference");
+  let known = null;
   if (near && truth) {
-    const wanted = [0, 1, 2].map(c => truth[3 * near.pixel + c]), error = length(minus(found.irradiance, wanted)) / Math.max(length(wanted), 1e-9);
+    const wanted = [0, 1, 2].map(c => truth[3 * near.pixel + c]);
+    known = { normal: view.normalOf(near.pixel, renderer), color: wanted.map(x => displayed(x / Math.PI * viewer.exposure)) };
+    const error = length(minus(found.irradiance, wanted)) / Math.max(length(wanted), 1e-9);
     lines.push(`Reference at the nearest of its points, ${digits(near.distance, 2)} m away: ${rgbText(wanted)} W/m², ${digits(100 * error, 2)} % off.`);
   }
-  const { discs, at } = hemispheres(renderer, renderer.choices, found, viewer.exposure);
-  const figures = renderer.choices.map((choice, i) => discFigure(discs[i], at, choice.label));
+  const { discs, placeOf } = hemispheres(renderer, renderer.choices, found, viewer.exposure);
+  const mark = known && dot(known.normal, found.face) > 0 ? { at: placeOf(known.normal), color: known.color } : null;
+  const figures = renderer.choices.map((choice, i) => discFigure(discs[i], placeOf(found.normal), mark, choice.label));
+  const ofReference = mark ? " The round mark has the reference's colour, at the normal that it was made for." : "";
   box.replaceChildren(...lines.map(line => make("p", {}, line)), make("div", { class: "discs" }, ...figures),
-    make("p", { class: "small" }, "Discs: irradiance for every normal above the surface, its own in the middle, the fragment's marked. Red: below zero, cut off."));
+    make("p", { class: "small" }, "Discs: irradiance for every normal above the surface, its own in the middle, the fragment's marked by a square." + ofReference + " Red: below zero, cut off."));
 }

@@ -5,7 +5,7 @@ const HARMONICS_OF = { L0: 1, L1: 4, L2: 9, L4: 18, H4: 1, AD: 1, YL2: 9 };
 
 /** What can be shown of a scene's maps: each map, and lower orders of what keeps plain harmonics. */
 function choicesOf(maps) {
-  const choices = maps.map((map, index) => ({ map, index, basis: map.basis, name: map.method, label: `${map.basis} ${map.fields.weight}` }));
+  const choices = maps.map((map, index) => ({ map, index, basis: map.basis, name: map.method, label: `${map.basis} ${map.fields.weight ?? map.fields.basis}` }));
   const has = new Set(maps.filter(map => map.fields.weight === "radiance").map(map => map.basis));
   for (const choice of [...choices]) {
     if (BASES[choice.basis] !== "HARMONICS" || choice.map.fields.weight !== "radiance") continue;

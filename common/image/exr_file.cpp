@@ -102,25 +102,37 @@ class ExrReader : public ImageReader {
 
 }  // namespace
 
-void write_exr(const fs::path& file, const Image& image, const ImageNotes& notes, Precision precision) {
+void write_exr(const fs::path& file, const Image& image, const ImageNotes& notes, Precision precision,
+               std::span<const std::string> always_single) {
     const bool half = precision == Precision::half && fits_in_halves(image);
-    const Imf::PixelType type = half ? Imf::HALF : Imf::FLOAT;
+    const auto type_of = [&](const std::string& channel) {
+        return half && std::ranges::find(always_single, channel) == always_single.end() ? Imf::HALF
+                                                                                        : Imf::FLOAT;
+    };
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const auto& [name, text] : notes) header.insert(name, Imf::StringAttribute(text));
-    for (const std::string& channel : image.channels) header.channels().insert(channel, Imf::Channel(type));
+    for (const std::string& channel : image.channels)
+        header.channels().insert(channel, Imf::Channel(type_of(channel)));
 
-    const std::vector<Imath::half> halves =
-        half ? std::vector<Imath::half>(image.values.begin(), image.values.end())
-             : std::vector<Imath::half>();
-    const std::size_t size = half ? sizeof(Imath::half) : sizeof(float);
     // OpenEXR takes no const pointers.
-    char* const first = half ? reinterpret_cast<char*>(const_cast<Imath::half*>(halves.data()))
-                             : reinterpret_cast<char*>(const_cast<float*>(image.values.data()));
+    std::vector<Imath::half> halves = half
+                                          ? std::vector<Imath::half>(image.values.begin(), image.values.end())
+                                          : std::vector<Imath::half>();
+    auto* const values = const_cast<float*>(image.values.data());
+    const std::size_t count = image.channels.size();
     Imf::FrameBuffer buffer;
-    for (std::size_t c = 0; c < image.channels.size(); ++c)
-        buffer.insert(image.channels[c],
-                      slice(type, first + c * size, size * image.channels.size(), image.width, {0, 0}));
+    for (std::size_t c = 0; c < count; ++c) {
+        const Imf::PixelType type = type_of(image.channels[c]);
+        const auto insert = [&](auto* first) {
+            buffer.insert(image.channels[c], slice(type, reinterpret_cast<char*>(first + c),
+                                                   sizeof(*first) * count, image.width, {0, 0}));
+        };
+        if (type == Imf::HALF)
+            insert(halves.data());
+        else
+            insert(values);
+    }
     MemoryStream stream(file.c_str());
     {
         Imf::OutputFile exr(stream, header);

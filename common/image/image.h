@@ -49,9 +49,9 @@ inline constexpr double largest_half_loss = 0x1p-11;
 [[nodiscard]] bool fits_in_halves(const Image& image);
 
 /// Writes a ZIP-compressed OpenEXR file under a temporary name and renames it to `file`, which is thus never
-/// incomplete. Throws InputError if it cannot be written.
+/// incomplete. Channels named in `always_single` are never halves. Throws InputError if it cannot be written.
 void write_exr(const std::filesystem::path& file, const Image& image, const ImageNotes& notes,
-               Precision precision = Precision::half);
+               Precision precision = Precision::half, std::span<const std::string> always_single = {});
 
 /// The note in a PNG written by this program that says what it shows. Files without it come from elsewhere.
 inline constexpr const char* shown_note = "shlmbench:shows";

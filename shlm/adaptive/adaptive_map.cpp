@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "common/core/input_error.h"
+#include "shlm/adaptive/block_series.h"
 #include "shlm/map/irradiance_mean.h"
 #include "shlm/map/packed_normal.h"
 #include "shlm/map/stored_texel.h"
@@ -24,6 +25,16 @@ BlockKind kind_of(std::uint32_t node) {
 
 std::uint32_t block_node(BlockKind kind, std::size_t offset) {
     return block_bit | static_cast<std::uint32_t>(kind) << 28 | static_cast<std::uint32_t>(offset);
+}
+
+float number_at(const std::uint16_t* stored, std::size_t i) {
+    half h;
+    h.setBits(stored[i]);
+    return static_cast<float>(h);
+}
+
+Rgb rgb_of(const std::uint16_t* stored) {
+    return {number_at(stored, 0), number_at(stored, 1), number_at(stored, 2)};
 }
 
 std::vector<float> kept_numbers(BlockKind kind, const LightBlock& block) {
@@ -174,65 +185,35 @@ AdaptiveMap::Found AdaptiveMap::find(const Face& face, const TexelRegion& region
     return found;
 }
 
-/// The weighted mean of blocks that face as a point does.
-class BlockMean {
-  public:
-    BlockMean(const AdaptiveMap& map, const AdaptiveMap::Face& face, const common::SurfacePoint& point)
-        : map_(map), face_(face), point_(point) {}
+AdaptiveMap::StoredBlock AdaptiveMap::block_of(const Face& face, Node node) const {
+    const BlockKind kind = kind_of(node);
+    if (kind == BlockKind::uncovered) return {kind};
+    const std::uint16_t* stored = number_.data() + (node & offset_mask);
+    const std::uint16_t* packed = face.has_one_normal() ? face.normal.data() : stored;
+    return {kind, unpack_normal(packed[0], packed[1]), stored + (face.has_one_normal() ? 0 : 2)};
+}
 
-    void add(std::uint32_t node, float weight) {
-        const BlockKind kind = kind_of(node);
-        if (kind == BlockKind::uncovered || weight <= 0) return;
-        const std::uint16_t* stored = map_.number_.data() + (node & offset_mask);
-        const std::uint16_t* packed = face_.has_one_normal() ? face_.normal.data() : stored;
-        const Vec3 normal = unpack_normal(packed[0], packed[1]);
-        if (normal.dot(point_.geometric_normal) <= common::same_surface_cosine) return;
-        mean_.add(answer(kind, stored + (face_.has_one_normal() ? 0 : 2), normal), weight);
-    }
+template <Basis B>
+typename B::Numbers AdaptiveMap::StoredBlock::numbers() const {
+    typename B::Numbers numbers;
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = number_at(number, i);
+    return numbers;
+}
 
-    [[nodiscard]] Rgb irradiance() const { return mean_.irradiance() * map_.unit_; }
-
-  private:
-    /// Returns irradiance in the map's unit.
-    [[nodiscard]] Rgb answer(BlockKind kind, const std::uint16_t* stored, const Vec3& normal) const {
-        const auto number = [&](std::size_t i) {
-            half h;
-            h.setBits(stored[i]);
-            return static_cast<float>(h);
-        };
-        if (kind == BlockKind::dark) return {0, 0, 0};
-        if (kind == BlockKind::flat) return {number(0), number(1), number(2)};
-        return with_directional_basis(kind, [&](auto basis) {
-            using Basis = decltype(basis);
-            typename Basis::Numbers numbers;
-            for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = number(i);
-            return Basis::irradiance(numbers, normal, typename Basis::Question(point_.shading_normal));
-        });
-    }
-
-    const AdaptiveMap& map_;
-    const AdaptiveMap::Face& face_;
-    const common::SurfacePoint& point_;
-    IrradianceMean mean_;
-};
-
-common::Rgb AdaptiveMap::irradiance(const common::SurfacePoint& point) const {
-    const std::optional<TexelPlace> place = places_.find(point);
-    if (!place) return {0, 0, 0};
-    const TexelRegion& region = places_.region(*place);
-    const Face& face = face_[face_index(place->region, place->back)];
-    const std::uint32_t x = place->column(region), y = place->row(region);
+template <class Use>
+void AdaptiveMap::for_blocks(const Face& face, const TexelPlace& place, Use use) const {
+    const TexelRegion& region = places_.region(place);
+    const std::uint32_t x = place.column(region), y = place.row(region);
     const Found own = find(face, region, x, y);
-    BlockMean mean(*this, face, point);
     if (!smooth_) {
-        mean.add(own.node, 1);
-        return mean.irradiance();
+        use(own.node, 1.0f);
+        return;
     }
 
     // The blocks across the nearer border on either axis, and their weights.
     const auto half_size = static_cast<float>(own.size) / 2;
-    const float from_x = place->at.x - (static_cast<float>(own.x) + half_size),
-                from_y = place->at.y - (static_cast<float>(own.y) + half_size);
+    const float from_x = place.at.x - (static_cast<float>(own.x) + half_size),
+                from_y = place.at.y - (static_cast<float>(own.y) + half_size);
     const std::int64_t over_x = from_x < 0 ? std::int64_t{own.x} - 1 : std::int64_t{own.x} + own.size,
                        over_y = from_y < 0 ? std::int64_t{own.y} - 1 : std::int64_t{own.y} + own.size;
     const bool has_x = over_x >= 0 && over_x < region.width, has_y = over_y >= 0 && over_y < region.height;
@@ -251,14 +232,73 @@ common::Rgb AdaptiveMap::irradiance(const common::SurfacePoint& point) const {
         below = find(face, region, x, static_cast<std::uint32_t>(over_y));
         share_y = share(from_y, below.size);
     }
-    mean.add(own.node, (1 - share_x) * (1 - share_y));
-    if (share_x > 0) mean.add(beside.node, share_x * (1 - share_y));
-    if (share_y > 0) mean.add(below.node, (1 - share_x) * share_y);
+    use(own.node, (1 - share_x) * (1 - share_y));
+    if (share_x > 0) use(beside.node, share_x * (1 - share_y));
+    if (share_y > 0) use(below.node, (1 - share_x) * share_y);
     if (share_x > 0 && share_y > 0)
-        mean.add(
-            find(face, region, static_cast<std::uint32_t>(over_x), static_cast<std::uint32_t>(over_y)).node,
+        use(find(face, region, static_cast<std::uint32_t>(over_x), static_cast<std::uint32_t>(over_y)).node,
             share_x * share_y);
-    return mean.irradiance();
+}
+
+common::Rgb AdaptiveMap::irradiance(const common::SurfacePoint& point) const {
+    const std::optional<TexelPlace> place = places_.find(point);
+    if (!place) return {0, 0, 0};
+    const Face& face = face_[face_index(place->region, place->back)];
+    IrradianceMean mean;
+    for_blocks(face, *place, [&](Node node, float weight) {
+        const StoredBlock block = block_of(face, node);
+        if (weight <= 0 || block.normal.dot(point.geometric_normal) <= common::same_surface_cosine) return;
+        if (block.kind == BlockKind::dark) return mean.add(Rgb(0, 0, 0), weight);
+        if (block.kind == BlockKind::flat) return mean.add(rgb_of(block.number), weight);
+        with_directional_basis(block.kind, [&](auto basis) {
+            using B = decltype(basis);
+            mean.add(
+                B::irradiance(block.numbers<B>(), block.normal, typename B::Question(point.shading_normal)),
+                weight);
+        });
+    });
+    return mean.irradiance() * unit_;
+}
+
+std::optional<AdaptiveMap::FaceLight> AdaptiveMap::light_at(const TexelPlace& place) const {
+    const Face& face = face_[face_index(place.region, place.back)];
+    const TexelRegion& region = places_.region(place);
+    const Vec3 own = block_of(face, find(face, region, place.column(region), place.row(region)).node).normal;
+    if (own == Vec3(0, 0, 0)) return std::nullopt;
+    TexelLight<2> sum = constant_series({0, 0, 0});
+    float sum_of_weights = 0;
+    for_blocks(face, place, [&](Node node, float weight) {
+        const StoredBlock block = block_of(face, node);
+        if (weight <= 0 || block.normal.dot(own) <= common::same_surface_cosine) return;
+        sum_of_weights += weight;
+        if (block.kind == BlockKind::dark) return;
+        const TexelLight<2> series =
+            block.kind == BlockKind::flat
+                ? constant_series(rgb_of(block.number))
+                : with_directional_basis(block.kind, [&](auto basis) {
+                      return series_of(basis, block.numbers<decltype(basis)>(), block.normal);
+                  });
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += series[i] * weight;
+    });
+    for (Rgb& coefficient : sum) coefficient *= unit_ / sum_of_weights;
+    return FaceLight{own, sum};
+}
+
+std::uint32_t AdaptiveMap::finest_block(std::uint32_t region) const {
+    const TexelRegion& in = places_.region(region);
+    std::uint32_t finest = 0;
+    const auto look = [&](const auto& below, Node node, std::uint32_t size) -> void {
+        if ((node & block_bit) == 0) {
+            for (Node i = 0; i < 4; ++i) below(below, node_[node + i], size / 2);
+        } else if (kind_of(node) != BlockKind::uncovered) {
+            finest = finest == 0 ? size : std::min(finest, size);
+        }
+    };
+    for (const bool back : {false, true})
+        if (!back || in.both_faces)
+            look(look, node_[face_[face_index(region, back)].root],
+                 std::bit_ceil(std::max(in.width, in.height)));
+    return finest;
 }
 
 std::optional<AdaptiveMap::BlockAt> AdaptiveMap::block_at(const common::SurfacePoint& point) const {

@@ -35,6 +35,19 @@ class AdaptiveMap {
     };
     [[nodiscard]] std::optional<BlockAt> block_at(const common::SurfacePoint& point) const;
 
+    /// What the map shows at one place, for all normals.
+    struct FaceLight {
+        common::Vec3 normal;      ///< of the block that the place lies in
+        TexelLight<2> by_normal;  ///< W/m^2: what `irradiance` mixes, each block as its series_of
+    };
+
+    /// Returns the light at a place, whatever the normals of its triangles; nothing if its block has no
+    /// surface.
+    [[nodiscard]] std::optional<FaceLight> light_at(const TexelPlace& place) const;
+
+    /// Returns the width of the smallest block with a surface on a region's faces, texels; 0 if it has none.
+    [[nodiscard]] std::uint32_t finest_block(std::uint32_t region) const;
+
     /// Returns the number of blocks of each kind.
     [[nodiscard]] const std::array<std::size_t, block_kinds>& blocks() const { return blocks_; }
 
@@ -57,6 +70,17 @@ class AdaptiveMap {
         std::uint32_t x, y, size;  ///< in texels of the region
     };
 
+    /// A block as it is stored.
+    struct StoredBlock {
+        BlockKind kind;
+        common::Vec3 normal{0, 0, 0};  ///< zero if it is uncovered
+        const std::uint16_t* number = nullptr;
+
+        /// Returns the numbers that a basis keeps; those of light are in the map's unit.
+        template <Basis B>
+        [[nodiscard]] typename B::Numbers numbers() const;
+    };
+
     struct Draft;
     class Drawing;
 
@@ -65,6 +89,13 @@ class AdaptiveMap {
     }
     [[nodiscard]] Found find(const Face& face, const TexelRegion& region, std::uint32_t x,
                              std::uint32_t y) const;
+    [[nodiscard]] StoredBlock block_of(const Face& face, Node node) const;
+
+    /// Calls `use(node, weight)` for the block at a place and, if the map is smooth, for those that blend
+    /// with it there. The weights add up to 1 unless there is no block beyond a border.
+    template <class Use>
+    void for_blocks(const Face& face, const TexelPlace& place, Use use) const;
+
     void assemble(std::span<const Draft> drafts);
 
     bool smooth_;
@@ -75,8 +106,6 @@ class AdaptiveMap {
     float unit_ = 1;                     ///< of the coefficients of light, W/m^2
     double estimated_error_ = 0;
     std::array<std::size_t, block_kinds> blocks_{};
-
-    friend class BlockMean;
 };
 
 static_assert(common::IrradianceEstimator<AdaptiveMap>);

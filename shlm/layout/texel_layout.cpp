@@ -85,4 +85,31 @@ TexelLayout::TexelLayout(const common::Scene& scene, std::span<const TexelChart>
     }
 }
 
+TexelLayout TexelLayout::coarser(std::span<const std::uint32_t> joined) const {
+    TexelLayout result = *this;
+    result.texel_count_ = 0;
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+        TexelRegion& region = result.regions_[r];
+        region.first_texel = static_cast<std::uint32_t>(result.texel_count_);
+        region.width = (region.width + joined[r] - 1) / joined[r];
+        region.height = (region.height + joined[r] - 1) / joined[r];
+        result.texel_count_ += std::size_t{region.texels_per_face()} * (region.both_faces ? 2 : 1);
+        if (planes_.empty()) continue;
+        result.planes_[r].right /= static_cast<float>(joined[r]);
+        result.planes_[r].down /= static_cast<float>(joined[r]);
+    }
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+        TriangleTexels& triangle = result.triangles_[t];
+        if (triangle.width == 0) continue;
+        const std::size_t r = region_of(t);
+        const TexelRegion& region = result.regions_[r];
+        for (Vec2* at : {&triangle.corner, &triangle.edge_u, &triangle.edge_v})
+            *at /= static_cast<float>(joined[r]);
+        triangle.first_texel = region.first_texel;
+        triangle.width = region.width;
+        triangle.height = region.height;
+    }
+    return result;
+}
+
 }  // namespace shlm

@@ -63,6 +63,10 @@ class TexelLayout {
     /// if there are more than can be counted.
     TexelLayout(const common::Scene& scene, std::span<const TexelChart> charts, std::size_t wanted_texels);
 
+    /// Returns the layout whose texels are `joined[r]` times as wide and high in region r. Those at a far
+    /// border may reach beyond it.
+    [[nodiscard]] TexelLayout coarser(std::span<const std::uint32_t> joined) const;
+
     [[nodiscard]] std::span<const TexelRegion> regions() const { return regions_; }
 
     /// Returns the planes in the regions' order; none at all if any chart has no plane.

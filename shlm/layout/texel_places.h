@@ -38,7 +38,8 @@ class TexelPlaces {
             planes_.empty() ? between_corners(point.surface, in) : planes_[region].place(point.position)};
     }
 
-    [[nodiscard]] const TexelRegion& region(const TexelPlace& place) const { return regions_[place.region]; }
+    [[nodiscard]] const TexelRegion& region(const TexelPlace& place) const { return region(place.region); }
+    [[nodiscard]] const TexelRegion& region(std::uint32_t index) const { return regions_[index]; }
     [[nodiscard]] std::size_t region_count() const { return regions_.size(); }
 
     [[nodiscard]] std::size_t bytes() const {

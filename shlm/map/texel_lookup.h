@@ -55,7 +55,8 @@ class OwnTexelLookup {
 /// lightmap.
 class BilinearLookup {
   public:
-    BilinearLookup(const PreparedTexels& texels, Bilinear) : places_(texels.layout) {}
+    explicit BilinearLookup(const TexelLayout& layout) : places_(layout) {}
+    BilinearLookup(const PreparedTexels& texels, Bilinear) : BilinearLookup(texels.layout) {}
 
     [[nodiscard]] static std::vector<std::uint32_t> held_texels(const PreparedTexels& texels) {
         return OwnTexelLookup::held_texels(texels);

@@ -31,7 +31,9 @@ struct Exported {
 Exported exported(shlm::TexelPlacement placement) {
     Scene scene = sphere_and_cloth();
     shlm::PreparedTexels texels(scene, shlm::find_lightmap_uv(scene), 2000, placement);
-    bench::LightAtlas atlas = bench::make_light_atlas(texels.layout, texels.geometry);
+    std::vector<shlm::TexelFace> face;
+    for (const shlm::TexelGeometry& texel : texels.geometry) face.push_back({texel.normal, texel.area});
+    bench::LightAtlas atlas = bench::make_light_atlas(texels.layout, face);
     return {std::move(scene), std::move(texels), std::move(atlas)};
 }
 
@@ -66,6 +68,34 @@ TEST(LightAtlas, ShowsCoveredTexelsWhereTheyAreAndTheNearestAround) {
             }
     }
     EXPECT_GT(uncovered, 0u);
+}
+
+TEST(TexelLayout, ACoarserOneHasTheSamePlaces) {
+    for (const auto placement : {shlm::TexelPlacement::face, shlm::TexelPlacement::automatic}) {
+        const Exported made = exported(placement);
+        const shlm::TexelLayout& fine = made.texels.layout;
+        std::vector<std::uint32_t> joined;
+        for (std::size_t r = 0; r < fine.regions().size(); ++r) joined.push_back(r % 2 == 0 ? 4 : 1);
+        const shlm::TexelLayout coarse = fine.coarser(joined);
+        const shlm::TexelPlaces before(fine), after(coarse);
+        std::size_t texels = 0;
+        for (const shlm::TexelRegion& region : coarse.regions()) {
+            EXPECT_EQ(region.first_texel, texels);
+            texels += region.texels_per_face() * (region.both_faces ? 2 : 1);
+        }
+        EXPECT_EQ(coarse.texel_count(), texels);
+        for (std::uint32_t t = 0; t < made.scene.triangle.size(); ++t) {
+            const common::SurfacePoint point = front_of(made.scene, {t, 0.3f, 0.2f});
+            const auto a = before.find(point), b = after.find(point);
+            ASSERT_TRUE(a && b);
+            EXPECT_EQ(a->region, b->region);
+            const auto by = static_cast<float>(joined[a->region]);
+            EXPECT_NEAR(b->at.x, a->at.x / by, 2e-3);
+            EXPECT_NEAR(b->at.y, a->at.y / by, 2e-3);
+            EXPECT_EQ(after.region(*b).width,
+                      (before.region(*a).width + joined[a->region] - 1) / joined[a->region]);
+        }
+    }
 }
 
 TEST(LitMesh, HasTheCoordinatesThatFinishedMapsFind) {

@@ -73,6 +73,14 @@ TEST_F(Export, WritesWhatOthersRead) {
     EXPECT_EQ(npy.size() - head, 2u * 27 * width * height);
 }
 
+TEST_F(Export, CountsOfHitsAreNotRounded) {
+    expect_success({"export", cornell, "--texels", "64", "--hits", "300001", "--out", path("out")});
+    const common::Image image = common::read_image(path("out/lightmap.exr"));
+    double hits = 0;
+    for (std::size_t p = 0; p < image.pixel_count(); ++p) hits += image.at(p, *image.find_channel("hits"));
+    EXPECT_EQ(hits, json_of("out/lightmap.json")["hits"].get<double>()) << "thousands on each texel";
+}
+
 TEST_F(Export, TheSceneCanBeReadAgain) {
     expect_success(to_folder("out"));
     const common::Scene before = common::load_gltf(cornell), after = common::load_gltf(path("out/lit.glb"));
@@ -125,9 +133,31 @@ TEST_F(Export, SeveralMapsAndPhotonMapsShareARun) {
     EXPECT_NE(page.find("photonmap/compact/k50/disc"), std::string::npos);
 }
 
+TEST_F(Export, WritesAdaptiveMapsAsTexelsAndSaysWhatThatCosts) {
+    for (const std::string placement : {"uv", "face"}) {
+        SCOPED_TRACE(placement);
+        expect_success(to_folder(placement, {"--method", "shlm/a10/normalised/bilinear/" + placement}));
+        const Json map = json_of(placement + "/lightmap.json")["maps"][0];
+        EXPECT_EQ(map["fields"]["basis"], "adaptive");
+        EXPECT_EQ(map["basis"], "L2") << "of the texels";
+        const Json& expansion = map["expansion"];
+        EXPECT_GT(expansion["bytes_of_texels"].get<int>(), 2 * expansion["bytes_of_map"].get<int>());
+        // Distant lights of AD are truncated, and blends are followed by straight lines.
+        EXPECT_LT(expansion["relative_rms"], 0.05);
+        EXPECT_GT(expansion["relative_rms"], 0);
+        const common::Image image = common::read_image(path(placement + "/lightmap.exr"));
+        double hits = 0;
+        for (std::size_t p = 0; p < image.pixel_count(); ++p)
+            hits += image.at(p, *image.find_channel("hits"));
+        EXPECT_EQ(hits, json_of(placement + "/lightmap.json")["hits"].get<double>());
+    }
+}
+
 TEST_F(Export, RefusesWhatNoFragmentProgramCanAsk) {
     expect_refusal(to_folder("out", {"--method", "shlm/L2/radiance/surface4"}), {"--method", "bilinear"});
-    expect_refusal(to_folder("out", {"--method", "shlm/a5"}), {"--method", "adaptive"});
+    expect_refusal(to_folder("out", {"--method", "shlm/a5,shlm/L2/radiance/bilinear"}),
+                   {"--method", "adaptive", "alone"});
+    expect_refusal(to_folder("out", {"--method", "shlm/a5/normalised/own"}), {"--method", "bilinear"});
     expect_refusal(to_folder("out", {"--method", "photonmap/compact"}), {"--method", "light map"});
     expect_refusal(
         to_folder("out", {"--method", "shlm/L2/radiance/bilinear,shlm/L0/normalised/bilinear/t99"}),

@@ -172,6 +172,24 @@ TEST_F(Study, ExtendedMeasuresOnlyWhatIsMissing) {
     EXPECT_TRUE(contents_of(path("out/raw")) == contents_of(finished_study() / "raw"));
 }
 
+TEST_F(Study, MeasuresInTurnWhatDoesNotFitIntoMemoryTogether) {
+    Request request = {.out = path("out"), .hits = "1000", .seeds = "1"};
+    request.methods = {"shlm/L2/radiance/own/t131072", "shlm/L2/normalised/own/t131072",
+                       "shlm/L1/radiance/own/t131072", "photonmap/compact/k50/disc"};
+    const auto measured = [&](const std::string& folder, const std::string& memory) {
+        request.out = path(folder);
+        request.more = {"--max-memory", memory};
+        std::map<std::string, std::vector<float>> answers;
+        for (const Json& row : study(request)) {
+            EXPECT_FALSE(row.contains("skipped")) << row;
+            answers[row["method"]] = values_of<float>(answers_of(request.out, row));
+        }
+        EXPECT_EQ(answers.size(), 4u);
+        return answers;
+    };
+    EXPECT_EQ(measured("apart", "150MiB"), measured("together", "4GiB"));
+}
+
 TEST_F(Study, SaysWhatDoesNotFitAndMeasuresItWhenItDoes) {
     Request request = {.out = path("out"), .hits = "1000", .seeds = "1", .more = {"--max-memory", "150MiB"}};
     request.methods = {"shlm/L2/radiance/own", "shlm/L2/radiance/own/t200000"};

@@ -19,6 +19,7 @@ MAPS = ("shlm/L2/radiance/bilinear", "shlm/L4/radiance/bilinear", "shlm/L0/norma
         "shlm/AD/radiance/bilinear", "shlm/YL2/radiance/bilinear")
 EXACT = 1e-4  # relative RMS, largest there may be
 HARDWARE = 0.5  # of what the graphics card mixes itself: covered area does not count, and chart borders show
+ADAPTIVE = "shlm/a8"
 SCENES = {"cornell": ("cornell", "uv,4096"), "bumpy": ("bumpy", "uv,4096"), "bumpy by face": ("bumpy", "face,4096"), "caustic by face": ("caustic", "face,4096")}
 
 
@@ -70,6 +71,23 @@ class Viewer(unittest.TestCase):
                         self.assertGreater(row["points"], 1000)
                         self.assertLess(row["rms"], EXACT if row["filter"] == "exact" else HARDWARE)
                 self.assertTrue(result["passed"])
+
+    def test_an_adaptive_map_gives_the_answers_of_its_texels(self):
+        folder, reference = self.root / "adaptive", self.root / "reference.exr"
+        scene = SCENE_FOLDER / "bumpy.glb"
+        for words in (["reference", scene, "--out", reference, "--width", 64, "--height", 36, "--spp", 16],
+                      ["export", scene, "--texels", "face,16384", "--hits", "1000000", "--method", ADAPTIVE, "--reference", reference, "--out", folder]):
+            subprocess.run([PROGRAM, *map(str, words)], check=True, capture_output=True, timeout=600)
+        result = self.results_of("adaptive")
+        self.assertEqual(self.complaints, [])
+        self.assertTrue(result["passed"], result["rows"])
+        self.assertEqual([row["basis"] for row in result["rows"]], ["L2", "L2"])
+        self.assertLess(result["rows"][0]["error"], 0.3)
+        # With a reference, each disc has its mark.
+        self.browser.evaluate("window.shlmViewer.then(viewer => viewer.probe(viewer.canvas.clientWidth / 2, viewer.canvas.clientHeight * 0.6))")
+        said = self.browser.evaluate("document.getElementById('probe').textContent")
+        self.assertIn("Reference at the nearest", said)
+        self.assertIn("round mark", said)
 
     def test_planted_mistakes_are_found(self):
         for name, faults in {"bumpy": ("order", "tangent", "texcoord", "atlas", "constant"), "bumpy by face": ("atlas", "tangent")}.items():

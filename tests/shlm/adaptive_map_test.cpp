@@ -6,6 +6,7 @@
 #include <random>
 
 #include "common/core/threads.h"
+#include "shlm/adaptive/block_series.h"
 #include "tests/support/scene_builder.h"
 #include "tests/support/statistics.h"
 #include "tests/support/texels.h"
@@ -118,6 +119,78 @@ struct RandomLight {
         }
     }
 };
+
+TEST(AdaptiveMap, ItsLightByNormalIsWhatItShows) {
+    const Scene scene = floor_of(plain, 0.4f);
+    const PreparedTexels texels = texels_of(scene, 4096);
+    // Two lights, so that blocks of one colour and order 2 are wanted, and an edge between small and large
+    // ones.
+    auto sums = sums_of(texels, Vec3(0.6f, 0, 0.8f), [](float x, float) { return x < 0.3f ? 3000 : 500; });
+    for (std::uint32_t i = 0; i < texels.geometry.size(); ++i)
+        for (int n = 0; n < 1000; ++n)
+            sums.add(i, Vec3(0, -0.8f, 0.6f), 1 / 0.6f, Rgb(2, 1, 0.5f) * (texels.geometry[i].area * 1e-3f));
+    for (const bool smooth : {false, true}) {
+        const AdaptiveMap map = map_of(sums, texels, 0.002, smooth);
+        EXPECT_EQ(count_of(map, BlockKind::AD), 0u) << "which order 2 truncates";
+        EXPECT_GT(count_of(map, BlockKind::L2), 0u);
+        const shlm::TexelPlaces places(texels.layout);
+        for (float s = 0.013f; s < 1; s += 0.07f)
+            for (float t = 0.017f; t < 1; t += 0.09f) {
+                SurfacePoint point = point_at(scene, s, t);
+                const auto light = map.light_at(*places.find(point));
+                ASSERT_TRUE(light);
+                for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(0.6f, 0, 0.8f), Vec3(0, -0.6f, 0.8f)}) {
+                    point.shading_normal = normal;
+                    const Rgb series =
+                        shlm::evaluate_series<2>(light->by_normal, shlm::evaluate_sh<2>(normal));
+                    const Rgb shown = map.irradiance(point);
+                    for (int c = 0; c < 3; ++c) EXPECT_NEAR(std::max(series[c], 0.0f), shown[c], 2e-4f * 6);
+                }
+            }
+    }
+}
+
+TEST(AdaptiveMap, KnowsItsFinestBlock) {
+    const Scene scene = floor_of(plain);
+    const PreparedTexels texels = texels_of(scene, 4096);
+    const auto sums = sums_of(texels, Vec3(0, 0, 1), [](float x, float) { return x < 0.25f ? 1000 : 0; });
+    EXPECT_EQ(map_of(sums, texels, 0.01, true).finest_block(0), 16u) << "a quarter of 64 texels";
+}
+
+/// Returns the largest difference between a basis and its series, over normals, for an own irradiance of 1.
+template <shlm::Basis B>
+float series_differs(const typename B::Numbers& numbers, const Vec3& normal) {
+    const auto series = shlm::series_of(B{}, numbers, normal);
+    float largest = 0;
+    for (const Vec3& n : {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.6f, 0, 0.8f),
+                          Vec3(-0.48f, 0.64f, 0.6f), Vec3(0, 0.8f, -0.6f), normal}) {
+        const Rgb kept = B::irradiance(numbers, normal, typename B::Question(n)),
+                  shown = shlm::evaluate_series<2>(series, shlm::evaluate_sh<2>(n));
+        for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(kept[c] - shown[c]));
+    }
+    return largest;
+}
+
+TEST(BlockSeries, AreExactButForADistantLight) {
+    const Vec3 normal(0.36f, 0.48f, 0.8f);
+    shlm::TexelLight<2> light;
+    for (std::size_t i = 0; i < light.size(); ++i)
+        light[i] = Rgb(0.3f, 0.2f, 0.1f) * std::cos(1.7f * static_cast<float>(i));
+    light[0] = Rgb(3, 2, 1);
+    using namespace shlm;
+    EXPECT_LT(series_differs<Harmonics<2>>(Harmonics<2>::numbers_of(light, normal), normal), 1e-5f);
+    EXPECT_LT(series_differs<HemisphereFour>(HemisphereFour::numbers_of(light, normal), normal), 1e-5f);
+    EXPECT_LT(series_differs<LuminanceNine>(LuminanceNine::numbers_of(light, normal), normal), 1e-5f);
+    // A distant light alone, and with the sky: 3/32 at a right angle, 1/16 along it.
+    for (const float share : {1.0f, 0.5f}) {
+        const Vec3 direct = Vec3(0.6f, 0, 0.8f) * (share / Vec3(0.6f, 0, 0.8f).dot(normal));
+        const AmbientAndDirection::Numbers numbers = {1, 1, 1, direct.x, direct.y, direct.z};
+        EXPECT_LT(series_differs<AmbientAndDirection>(numbers, normal),
+                  (3 / 32.0f + 1 / 16.0f) * direct.length());
+        const auto series = series_of(AmbientAndDirection{}, numbers, normal);
+        EXPECT_NEAR(evaluate_series<2>(series, evaluate_sh<2>(normal)).x, 1, 1e-5f) << "its own normal";
+    }
+}
 
 TEST(AdaptiveMap, NoiseIsNotStored) {
     const RandomLight light(0, 16384, 100'000, 1);

@@ -39,20 +39,13 @@ std::vector<Group> groups_of(std::span<const Candidate> candidates, std::span<co
 /// not fit alone are left out.
 std::vector<std::vector<Group>> batches_of(std::vector<Group> groups, const PilotSubject& subject,
                                            std::uint64_t hits) {
-    std::vector<std::vector<Group>> batches;
-    std::size_t free = 0;
-    for (Group& group : groups) {
-        const ContenderSettings& settings = subject.prepared.settings();
-        if (!reason_to_skip(group.contenders.front(), settings, hits, subject.max_bytes).empty()) continue;
-        const std::size_t needed = needed_bytes(group.contenders.front(), settings, hits);
-        if (batches.empty() || needed > free) {
-            batches.emplace_back();
-            free = subject.max_bytes;
-        }
-        free -= needed;
-        batches.back().push_back(std::move(group));
-    }
-    return batches;
+    const ContenderSettings& settings = subject.prepared.settings();
+    std::erase_if(groups, [&](const Group& group) {
+        return !reason_to_skip(group.contenders.front(), settings, hits, subject.max_bytes).empty();
+    });
+    return in_batches(std::move(groups), subject.max_bytes, [&](const Group& group) {
+        return needed_bytes(group.contenders.front(), settings, hits);
+    });
 }
 
 /// Adds half of the cost of this half, so that two halves add up to their mean.

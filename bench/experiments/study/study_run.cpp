@@ -68,23 +68,24 @@ std::string trouble_with_scene(const Contender& method, PreparedScene& prepared)
     }
 }
 
-/// Returns the groups that fit into memory together, and adds a row with the reason for each other method.
-std::vector<ContenderGroup> that_fit(std::vector<ContenderGroup> groups, const StudyPlan& plan,
-                                     PreparedScene& prepared, const RunFacts& facts,
-                                     std::vector<Json>& skipped) {
-    std::size_t free = plan.max_bytes;
+/// Returns the groups in batches that fit into memory together, and adds a row with the reason for each
+/// method that does not fit alone.
+std::vector<std::vector<ContenderGroup>> batches_of(std::vector<ContenderGroup> groups, const StudyPlan& plan,
+                                                    PreparedScene& prepared, const RunFacts& facts,
+                                                    std::vector<Json>& skipped) {
     std::erase_if(groups, [&](const ContenderGroup& group) {
-        std::string reason = reason_to_skip(group.front(), plan.settings, facts.hits_asked, free);
+        std::string reason = reason_to_skip(group.front(), plan.settings, facts.hits_asked, plan.max_bytes);
         if (reason.empty()) reason = trouble_with_scene(group.front(), prepared);
         for (const Contender& method : group) {
             if (reason.empty()) continue;
             skipped.push_back(row_start(facts, method, plan.settings));
             skipped.back()["skipped"] = reason;
         }
-        if (reason.empty()) free -= needed_bytes(group.front(), plan.settings, facts.hits_asked);
         return !reason.empty();
     });
-    return groups;
+    return in_batches(std::move(groups), plan.max_bytes, [&](const ContenderGroup& group) {
+        return needed_bytes(group.front(), plan.settings, facts.hits_asked);
+    });
 }
 
 /// Finishes and evaluates the map of each contender that the store serves, one after the other.
@@ -110,36 +111,49 @@ void ask_all(const FilledStore& filled, const RunFacts& facts, const StudyPlan& 
     }
 }
 
+/// Traces into the stores of one batch and asks their maps. Returns false if the user interrupted it; there
+/// are no rows of the batch then.
+bool run_batch(std::vector<ContenderGroup> groups, RunFacts facts, const StudyPlan& plan,
+               ReferenceScene& scene, std::vector<Json>& rows) {
+    // The first store finds a wave's hits in cache but not its own sums, so each seed begins with another
+    // store.
+    std::rotate(groups.begin(), groups.begin() + facts.seed % groups.size(), groups.end());
+    std::vector<FilledStore> stores;
+    for (ContenderGroup& group : groups)
+        stores.emplace_back(std::move(group), scene.prepared(), scene.source());
+    common::Progress progress(
+        fmt::format("{} {:g} seed {}", scene.name(), static_cast<double>(facts.hits_asked), facts.seed),
+        "hits", facts.hits_asked);
+    facts.trace = trace_into(stores, {scene.loaded().rays,
+                                      scene.source(),
+                                      facts.seed,
+                                      {.hits = facts.hits_asked},
+                                      [&](const common::TraceReport& so_far) {
+                                          progress.show(so_far.hits);
+                                          return !common::interrupted();
+                                      }});
+    std::vector<Json> asked;
+    for (FilledStore& filled : stores) {
+        if (common::interrupted()) return false;
+        ask_all(filled, facts, plan, scene, asked);
+        filled.store.reset();
+    }
+    if (common::interrupted()) return false;
+    std::move(asked.begin(), asked.end(), std::back_inserter(rows));
+    return true;
+}
+
 }  // namespace
 
 StudyRun run_study(const StudyPlan& plan, ReferenceScene& scene, const std::vector<Contender>& methods,
                    std::uint64_t hits, std::uint64_t seed) {
     StudyRun run;
-    RunFacts facts{scene.name(), hits, seed, {}};
-    std::vector<FilledStore> stores;
-    std::vector<ContenderGroup> groups =
-        that_fit(groups_of(methods), plan, scene.prepared(), facts, run.rows);
-    // The first store finds a wave's hits in cache but not its own sums, so each seed begins with another
-    // store.
-    if (!groups.empty()) std::rotate(groups.begin(), groups.begin() + seed % groups.size(), groups.end());
-    for (ContenderGroup& group : groups)
-        stores.emplace_back(std::move(group), scene.prepared(), scene.source());
-    if (stores.empty()) return run;
-
-    common::Progress progress(fmt::format("{} {:g} seed {}", scene.name(), static_cast<double>(hits), seed),
-                              "hits", hits);
-    facts.trace = trace_into(
-        stores,
-        {scene.loaded().rays, scene.source(), seed, {.hits = hits}, [&](const common::TraceReport& so_far) {
-             progress.show(so_far.hits);
-             return !common::interrupted();
-         }});
-    for (FilledStore& filled : stores) {
-        if (common::interrupted()) return {{}, true};
-        ask_all(filled, facts, plan, scene, run.rows);
-        filled.store.reset();
+    const RunFacts facts{scene.name(), hits, seed, {}};
+    for (std::vector<ContenderGroup>& batch :
+         batches_of(groups_of(methods), plan, scene.prepared(), facts, run.rows)) {
+        run.interrupted = !run_batch(std::move(batch), facts, plan, scene, run.rows);
+        if (run.interrupted) break;
     }
-    if (common::interrupted()) return {{}, true};
     return run;
 }
 

@@ -1,5 +1,5 @@
-// Runs one scene, number of hits and seed: one trace fills the stores of all methods, which are then
-// evaluated.
+// Runs one scene, number of hits and seed: one trace fills the stores of all methods that fit into memory
+// together, which are then evaluated.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,7 +12,7 @@ namespace bench::study {
 
 struct StudyRun {
     std::vector<nlohmann::ordered_json> rows;  ///< one per method, measured or skipped
-    bool interrupted = false;                  ///< by the user; there are no rows then
+    bool interrupted = false;                  ///< by the user; there are rows of what was finished
 };
 
 /// Runs `methods`, which are in the plan's order, and writes each one's answers.

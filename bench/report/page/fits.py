@@ -2,7 +2,7 @@
 
 from report.fit.search import KINDS
 from report.fit.verdict import HEADS, cells
-from report.page.markup import details, joined, link, table, tag
+from report.page.markup import breakable, details, joined, link, table, tag
 from report.page.quantities import percent_text
 from report.page.words import MISSING, origin_text, plural
 
@@ -59,7 +59,7 @@ def section(results):
         [
             tag("p", ratio_words(fits), cls="finding"),
             promise_words(results),
-            table(HEADS, [cells(fit, kind) for fit in fits for kind in KINDS], cls="wrap"),
+            table(HEADS, [map(breakable, cells(fit, kind)) for fit in fits for kind in KINDS]),
             *blocks,
             tag("p", f"{'; '.join(origins)}.", cls="origin"),
         ]

@@ -12,6 +12,11 @@ def escaped(part):
     return part if isinstance(part, Markup) else html.escape(str(part), quote=True)
 
 
+def breakable(text):
+    """A method's name, which lines may break behind a slash."""
+    return Markup(escaped(text).replace("/", "/<wbr>"))
+
+
 def joined(parts, between=""):
     return Markup(between.join(escaped(part) for part in parts if part is not None))
 

@@ -61,7 +61,7 @@ bool study_scene(const StudyPlan& plan, const std::filesystem::path& file, std::
         const std::vector<Contender> methods = table.missing(scene.name(), plan.methods, hits, seed);
         if (methods.empty()) continue;
         const StudyRun run = run_study(plan, scene, methods, hits, seed);
-        table.add(run.rows);
+        if (!run.rows.empty()) table.add(run.rows);
         if (run.interrupted) return false;
     }
     return true;

@@ -154,6 +154,7 @@ StudyRun run_study(const StudyPlan& plan, ReferenceScene& scene, const std::vect
         run.interrupted = !run_batch(std::move(batch), facts, plan, scene, run.rows);
         if (run.interrupted) break;
     }
+    if (run.interrupted) std::erase_if(run.rows, [](const Json& row) { return row.contains("skipped"); });
     return run;
 }
 

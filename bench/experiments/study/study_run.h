@@ -12,7 +12,7 @@ namespace bench::study {
 
 struct StudyRun {
     std::vector<nlohmann::ordered_json> rows;  ///< one per method, measured or skipped
-    bool interrupted = false;                  ///< by the user; there are rows of what was finished
+    bool interrupted = false;                  ///< by the user; there are rows of what was measured alone
 };
 
 /// Runs `methods`, which are in the plan's order, and writes each one's answers.

@@ -160,8 +160,8 @@ std::vector<common::SurfacePoint> points_of(const AnsweredView& view) {
     return points;
 }
 
-void add_answers(AnsweredView& view, const std::string& name, const Answers& answers) {
-    const std::vector<common::Rgb> found = ask(answers, points_of(view));
+/// `found`: of points_of(view).
+void add_answers(AnsweredView& view, const std::string& name, std::span<const common::Rgb> found) {
     std::vector<common::Rgb> of_pixels(view.pixel.size(), common::Rgb(0, 0, 0));
     std::size_t next = 0;
     for (std::size_t p = 0; p < view.pixel.size(); ++p)
@@ -175,10 +175,9 @@ void take_expanded(const Contender& contender, const shlm::TexelLayout& layout, 
     const shlm::AdaptiveMap map = adaptive(contender)->map_of(store, made.trace);
     ExpandedMap expanded = expand(map, layout, store);
     const std::vector<common::SurfacePoint> points = points_of(made.view);
-    const std::unique_ptr<const Answers> texels = answers_of_texels(expanded);
-    const double differs =
-        common::difference(ask(*texels, points), ask(*answers_of(map), points)).relative_rms;
-    add_answers(made.view, contender.name, *texels);
+    const std::vector<common::Rgb> of_texels = ask(*answers_of_texels(expanded), points);
+    const double differs = common::difference(of_texels, ask(*answers_of(map), points)).relative_rms;
+    add_answers(made.view, contender.name, of_texels);
     const Expansion expansion{map.bytes(), expanded.bytes(), differs};
     made.maps.push_back({contender, std::move(expanded.texels), expansion});
     made.layout = std::move(expanded.layout);
@@ -192,7 +191,8 @@ void take_map(const Contender& contender, const shlm::TexelLayout& layout, Light
     } else {
         const auto& uniform = static_cast<const UniformLightMap&>(*contender.light_map());
         made.maps.push_back({contender, uniform.texels(store, made.trace)});
-        add_answers(made.view, contender.name, *uniform.finish(store, made.trace).answers);
+        add_answers(made.view, contender.name,
+                    ask(*uniform.finish(store, made.trace).answers, points_of(made.view)));
         made.layout = layout;
     }
     require_finite(made.maps.back());
@@ -226,7 +226,7 @@ void trace_maps(const ExportPlan& plan, const LoadedScene& loaded, const common:
     for (std::size_t i = 0; i < plan.beside.size(); ++i) {
         const Contender& contender = plan.beside[i];
         const FinishedMap map = contender->finish(*stores[plan.maps.size() + i].store, made.trace);
-        add_answers(made.view, contender.name, *map.answers);
+        add_answers(made.view, contender.name, ask(*map.answers, points_of(made.view)));
         stop_if_interrupted();
     }
     for (const std::string& line : run_trouble(made.trace, stores.front().store->facts().rejected, source))

@@ -70,9 +70,9 @@ StoredTexels in_halves(const ReadTexels& read, std::vector<std::uint64_t> hits) 
 }
 
 /// A map of the texels, to ask.
-class TexelLight {
+class TexelAnswers {
   public:
-    explicit TexelLight(const ExpandedMap& map) : map_(map), lookup_(map.layout) {}
+    explicit TexelAnswers(const ExpandedMap& map) : map_(map), lookup_(map.layout) {}
 
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const {
         const Kept::Question question(point.shading_normal);
@@ -118,7 +118,7 @@ ExpandedMap expand(const shlm::AdaptiveMap& map, const shlm::TexelLayout& layout
 }
 
 std::unique_ptr<const Answers> answers_of_texels(const ExpandedMap& map) {
-    return answers_of(TexelLight(map));
+    return answers_of(TexelAnswers(map));
 }
 
 }  // namespace bench

@@ -262,8 +262,7 @@ common::Rgb AdaptiveMap::irradiance(const common::SurfacePoint& point) const {
 
 std::optional<AdaptiveMap::FaceLight> AdaptiveMap::light_at(const TexelPlace& place) const {
     const Face& face = face_[face_index(place.region, place.back)];
-    const TexelRegion& region = places_.region(place);
-    const Vec3 own = block_of(face, find(face, region, place.column(region), place.row(region)).node).normal;
+    const Vec3 own = block_of(face, find(face, place).node).normal;
     if (own == Vec3(0, 0, 0)) return std::nullopt;
     TexelLight<2> sum = constant_series({0, 0, 0});
     float sum_of_weights = 0;
@@ -304,9 +303,7 @@ std::uint32_t AdaptiveMap::finest_block(std::uint32_t region) const {
 std::optional<AdaptiveMap::BlockAt> AdaptiveMap::block_at(const common::SurfacePoint& point) const {
     const std::optional<TexelPlace> place = places_.find(point);
     if (!place) return std::nullopt;
-    const TexelRegion& region = places_.region(*place);
-    const Found own = find(face_[face_index(place->region, place->back)], region, place->column(region),
-                           place->row(region));
+    const Found own = find(face_[face_index(place->region, place->back)], *place);
     const BlockKind kind = kind_of(own.node);
     if (kind == BlockKind::uncovered) return std::nullopt;
     return BlockAt{kind, own.size};

@@ -89,6 +89,11 @@ class AdaptiveMap {
     }
     [[nodiscard]] Found find(const Face& face, const TexelRegion& region, std::uint32_t x,
                              std::uint32_t y) const;
+    /// Returns the block that a place lies in.
+    [[nodiscard]] Found find(const Face& face, const TexelPlace& place) const {
+        const TexelRegion& region = places_.region(place);
+        return find(face, region, place.column(region), place.row(region));
+    }
     [[nodiscard]] StoredBlock block_of(const Face& face, Node node) const;
 
     /// Calls `use(node, weight)` for the block at a place and, if the map is smooth, for those that blend

@@ -13,6 +13,16 @@ namespace shlm {
     return series;
 }
 
+/// Returns constant + x n.x + y n.y + z n.z, n being the normal.
+[[nodiscard]] inline TexelLight<2> linear_series(const common::Rgb& constant, const common::Rgb& x,
+                                                 const common::Rgb& y, const common::Rgb& z) {
+    TexelLight<2> series = constant_series(constant);
+    series[1] = y / sh_constants::c1;
+    series[2] = z / sh_constants::c1;
+    series[3] = x / sh_constants::c1;
+    return series;
+}
+
 // Each returns the harmonics of what a basis keeps, in the unit of its numbers of light. `normal` is that of
 // the block.
 
@@ -27,11 +37,7 @@ namespace shlm {
 /// Exact.
 [[nodiscard]] inline TexelLight<2> series_of(HemisphereFour, const HemisphereFour::Numbers& numbers,
                                              const common::Vec3&) {
-    TexelLight<2> series = constant_series(rgb_at(numbers, 0));
-    series[1] = rgb_at(numbers, 6) / sh_constants::c1;  // y
-    series[2] = rgb_at(numbers, 9) / sh_constants::c1;  // z
-    series[3] = rgb_at(numbers, 3) / sh_constants::c1;  // x
-    return series;
+    return linear_series(rgb_at(numbers, 0), rgb_at(numbers, 3), rgb_at(numbers, 6), rgb_at(numbers, 9));
 }
 
 /// Exact.
@@ -53,11 +59,10 @@ namespace shlm {
                                              const common::Vec3& normal) {
     const common::Rgb own = rgb_at(numbers, 0);
     const common::Vec3 direct = rgb_at(numbers, 3);
-    const float ambient = 1 - direct.dot(normal), strength = direct.length();
-    TexelLight<2> series = constant_series(own * (ambient / 2));
-    series[1] = own * (ambient / 2 * normal.y / sh_constants::c1);
-    series[2] = own * (ambient / 2 * normal.z / sh_constants::c1);
-    series[3] = own * (ambient / 2 * normal.x / sh_constants::c1);
+    const common::Rgb from_above = own * ((1 - direct.dot(normal)) / 2);
+    const float strength = direct.length();
+    TexelLight<2> series =
+        linear_series(from_above, from_above * normal.x, from_above * normal.y, from_above * normal.z);
     if (strength > 0) {
         const ShValues<2> y = evaluate_sh<2>(direct / strength);
         for (std::size_t i = 0; i < series.size(); ++i)

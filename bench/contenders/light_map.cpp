@@ -44,6 +44,7 @@ shlm::Gather take_gather(NameParts& parts) {
 }
 
 shlm::ShWeight take_weight(NameParts& parts, const LightBasis& basis) {
+    if (parts.at_end()) return basis.weights.front();
     const std::vector<std::string> all = {"radiance", "flux", "normalised"};
     const std::string name = all[parts.take_one_of(all)];
     for (const shlm::ShWeight weight : basis.weights)

@@ -1,7 +1,7 @@
 #include "bench/export/expanded_map.h"
 
-#include "shlm/map/irradiance_mean.h"
 #include "shlm/map/texel_lookup.h"
+#include "shlm/map/texel_mix.h"
 
 namespace bench {
 namespace {
@@ -75,18 +75,17 @@ class TexelAnswers {
     explicit TexelAnswers(const ExpandedMap& map) : map_(map), lookup_(map.layout) {}
 
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const {
-        const Kept::Question question(point.shading_normal);
         const StoredTexels& texels = map_.texels;
-        shlm::IrradianceMean mean;
+        shlm::TexelMix<Kept> mix(point.shading_normal);
         lookup_.visit(
             point, [&](std::uint32_t t) { return texels.face[t]; },
             [&](std::uint32_t t, float weight) {
                 Kept::Numbers numbers;
                 for (std::size_t i = 0; i < numbers.size(); ++i)
                     numbers[i] = static_cast<float>(texels.number[t * numbers.size() + i]);
-                mean.add(Kept::irradiance(numbers, texels.face[t].normal, question), weight);
+                mix.add(numbers, texels.face[t].normal, weight);
             });
-        return mean.irradiance() * texels.unit;
+        return mix.irradiance() * texels.unit;
     }
 
     [[nodiscard]] std::size_t bytes() const { return map_.bytes(); }

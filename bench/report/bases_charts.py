@@ -14,9 +14,9 @@ from report.text import machine_text
 
 NO_DIFFERENCE = 0.02  # between the errors of two bases
 LEAST_PERCENT = 1e-3  # the logarithmic axis ends somewhere
-CURVES = ("L0/normalised", "L1/radiance", "H4/radiance", "L2/radiance", "L4/radiance")
+CURVES = ("L0/normalised", "F0/flux", "L1/radiance", "F1/radiance", "L2/radiance", "F2/radiance", "L4/radiance")
 FLOATS, HALVES = "o", "s"
-NAMED_BELOW, BELOW = ("AD", "YL2"), -9  # others have points right above them; pt
+NAMED_BELOW, BELOW = ("AD", "YF1", "YF2", "F0", "F2", "F1"), -9  # others have points right above them; pt
 
 
 def colour_of(row):
@@ -26,7 +26,7 @@ def colour_of(row):
 def label_of(row):
     """What a reader calls it: the weight is said where it is not the usual one."""
     name, weight = row["fields"]["basis"], row["fields"]["weight"]
-    usual = weight == ("normalised" if name == "L0" else "radiance")
+    usual = weight == {"L0": "normalised", "F0": "flux"}.get(name, "radiance")
     return name if usual else f"{name} {weight}"
 
 
@@ -59,7 +59,7 @@ def draw_light(axes, rows, light):
             linestyle="none",
             zorder=3,
         )
-        if half or row["fields"]["weight"] != "radiance" and row["fields"]["basis"] != "L0":
+        if half or row["fields"]["weight"] != "radiance" and row["fields"]["basis"] not in ("L0", "F0"):
             axes.annotate(
                 label_of(row),
                 (row["bytes_per_texel"], mean),

@@ -80,6 +80,39 @@ float gY[COUNT];  // harmonics of the fragment's normal
 #define NUMBER(i) (layer[(i) / 4][(i) % 4])
 #define RGB_AT(i) vec3(NUMBER(i), NUMBER((i) + 1), NUMBER((i) + 2))
 
+#if (defined(HEMISPHERE_FIT) || defined(LUMINANCE_FIT)) && COUNT >= 4
+// Factors of the coefficients of irradiance: shlm/basis/clamped_cosine.h over the factors of the clamped cosine.
+void fittedFactors(vec3 face, vec3 n, out float q[COUNT]) {
+    float c = dot(face, n);
+    vec3 t = n - face * c;
+    float s_sq = dot(t, t), s = sqrt(s_sq), beta = atan(s, c);
+    float e = c > 0.0 ? s_sq / (1.0 + c) : 1.0 - c, g = 2.0 / (3.0 * PI) * (s - beta * c);
+#if COUNT == 4
+    float constant = e - 3.0 * g;
+    vec3 linear = n + face * (6.0 * g - 1.5 * e) - t * (beta / PI);
+#else
+    float constant = (4.75 + 5.625 * e) * e - 48.0 * g;
+    vec3 linear = n + face * (96.0 * g - (9.0 + 11.25 * e) * e) + t * ((22.5 * e - 64.0 / PI * beta) / 19.0);
+#endif
+    q[0] = constant / (PI * C0);
+    linear /= PI * 2.0 / 3.0 * C1;
+    q[1] = linear.y;
+    q[2] = linear.z;
+    q[3] = linear.x;
+#if COUNT == 9
+    float along = (5.0 + 7.5 * e) * e - 60.0 * g, across = (120.0 / PI * beta - 60.0 * e) / 19.0, around = 15.0 / 64.0;
+    mat3 S = (1.5 * along + around * s_sq) * outerProduct(face, face) + across / 2.0 * (outerProduct(face, t) + outerProduct(t, face))
+           + 2.0 * around * outerProduct(t, t) - (along / 2.0 + around * s_sq) * mat3(1.0);
+    S /= PI / 4.0;
+    q[4] = 2.0 * S[0][1] / C2;
+    q[5] = 2.0 * S[1][2] / C2;
+    q[6] = S[2][2] / (2.0 * C20);
+    q[7] = 2.0 * S[0][2] / C2;
+    q[8] = (S[0][0] - S[1][1]) / (2.0 * C22);
+#endif
+}
+#endif
+
 // What a texel's numbers say of the normal `n`, in units; `face` is the texel's own normal. May be negative.
 vec3 seriesOf(vec4 layer[LAYERS], vec3 face, vec3 n) {
 #if defined(HARMONICS)
@@ -97,6 +130,21 @@ vec3 seriesOf(vec4 layer[LAYERS], vec3 face, vec3 n) {
     float shape = 1.0;
     for (int i = 1; i < COUNT; ++i) shape += NUMBER(2 + i) * (gY[i] - own[i]);
     return RGB_AT(0) * shape;
+#elif defined(HEMISPHERE_FIT) && COUNT == 1
+    return RGB_AT(0) * ((1.0 + dot(n, face)) / 2.0);
+#elif defined(HEMISPHERE_FIT)
+    float q[COUNT];
+    fittedFactors(face, n, q);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < COUNT; ++i) sum += RGB_AT(3 * i) * q[i];
+    return sum;
+#elif defined(LUMINANCE_FIT)
+    float q[COUNT];
+    fittedFactors(face, n, q);
+    float mean = 0.0;
+    for (int i = 0; i < COUNT; ++i) mean += NUMBER(i) * q[i];
+    float red = NUMBER(COUNT), green = NUMBER(COUNT + 1);
+    return vec3(red, green, max(3.0 - red - green, 0.0)) * mean;
 #endif
 }
 
@@ -108,6 +156,10 @@ vec3 exactSeries(vec3 n, vec3 geometric) {
     ivec2 corner = ivec2(vLightRectangle.xy), size = ivec2(vLightRectangle.zw);
     vec3 sum = vec3(0.0);
     float weight = 0.0;
+#ifdef HEMISPHERE_FIT
+    vec4 mixed[LAYERS];  // shlm/map/texel_mix.h; of other linear bases the mean of answers is the same
+    for (int l = 0; l < LAYERS; ++l) mixed[l] = vec4(0.0);
+#endif
     for (int i = 0; i < 4; ++i) {
         ivec2 step = ivec2(i % 2, i / 2), texel = ivec2(first) + step;
         if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size))) continue;
@@ -116,10 +168,18 @@ vec3 exactSeries(vec3 n, vec3 geometric) {
         vec2 share = mix(1.0 - beyond, beyond, vec2(step));
         vec4 layer[LAYERS];
         for (int l = 0; l < LAYERS; ++l) layer[l] = texelFetch(uLight, ivec3(corner + texel, l), 0);
-        sum += seriesOf(layer, face.xyz, n) * (share.x * share.y * face.w);
-        weight += share.x * share.y * face.w;
+        float part = share.x * share.y * face.w;
+        weight += part;
+#ifdef HEMISPHERE_FIT
+        for (int l = 0; l < LAYERS; ++l) mixed[l] += layer[l] * part;
+        sum += face.xyz * part;
+    }
+    return weight == 0.0 ? vec3(0.0) : seriesOf(mixed, normalize(sum), n) / weight;
+#else
+        sum += seriesOf(layer, face.xyz, n) * part;
     }
     return weight == 0.0 ? vec3(0.0) : sum / weight;
+#endif
 }
 
 // The texture unit mixes the numbers, as engines let it: one fetch a layer, and the surface's own normal as the texel's.

@@ -1,7 +1,8 @@
 // The fragment programs: one for each basis, filter and purpose, compiled when it is first wanted.
 
-const BASES = { L0: "HARMONICS", L1: "HARMONICS", L2: "HARMONICS", L4: "HARMONICS", H4: "HEMISPHERE_FOUR", AD: "AMBIENT_AND_DIRECTION", YL2: "LUMINANCE_NINE" };
-const HARMONICS_OF = { L0: 1, L1: 4, L2: 9, L4: 18, H4: 1, AD: 1, YL2: 9 };
+const BASES = { L0: "HARMONICS", L1: "HARMONICS", L2: "HARMONICS", L4: "HARMONICS", H4: "HEMISPHERE_FOUR", AD: "AMBIENT_AND_DIRECTION", YL2: "LUMINANCE_NINE",
+  F0: "HEMISPHERE_FIT", F1: "HEMISPHERE_FIT", F2: "HEMISPHERE_FIT", YF1: "LUMINANCE_FIT", YF2: "LUMINANCE_FIT" };
+const HARMONICS_OF = { L0: 1, L1: 4, L2: 9, L4: 18, H4: 1, AD: 1, YL2: 9, F0: 1, F1: 4, F2: 9, YF1: 4, YF2: 9 };
 
 /** What can be shown of a scene's maps: each map, and lower orders of what keeps plain harmonics. */
 function choicesOf(maps) {
@@ -37,7 +38,7 @@ class Shading {
   /** `purpose`: "", MEASURE, POINTS or HEMISPHERE. */
   prelude(choice, exact, purpose) {
     let count = HARMONICS_OF[choice.basis];
-    if (this.faults.has("order") && count > 1) count = { 4: 1, 9: 4, 18: 9 }[count];
+    if (this.faults.has("order") && count > 1 && BASES[choice.basis] !== "LUMINANCE_FIT") count = { 4: 1, 9: 4, 18: 9 }[count];
     return [
       "#version 300 es", "precision highp float;", "precision highp int;", "precision highp sampler2DArray;",
       `#define ${BASES[choice.basis]}`, `#define COUNT ${count}`, `#define LAYERS ${Math.ceil(numbersOf(choice) / 4)}`,

@@ -10,6 +10,7 @@ struct Harmonics {
     static constexpr int order = Order;
     using Numbers = std::array<float, 3 * harmonic_count(Order)>;  ///< channel c of harmonic i at [3 i + c]
     static constexpr std::size_t light_numbers = 3 * harmonic_count(Order);
+    static constexpr bool linear = true;
     static constexpr std::string_view formula =
         "E(n) = sum over i of sh.i Y_i(n); Y are the orthonormal real spherical harmonics of bands 0, 1, 2 "
         "and "
@@ -19,11 +20,6 @@ struct Harmonics {
         return rgb_name("sh." + std::to_string(i / 3), i % 3);
     }
 
-    struct Question {
-        explicit Question(const common::Vec3& shading_normal) : y(evaluate_sh<Order>(shading_normal)) {}
-        ShValues<Order> y;
-    };
-
     [[nodiscard]] static Numbers numbers_of(const TexelLight<Order>& light, const common::Vec3&) {
         Numbers numbers;
         for (std::size_t i = 0; i < light.size(); ++i) set_rgb(numbers, 3 * i, light[i]);
@@ -31,9 +27,10 @@ struct Harmonics {
     }
 
     [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3&,
-                                                const Question& question) {
+                                                const common::Vec3& shading_normal) {
+        const ShValues<Order> y = evaluate_sh<Order>(shading_normal);
         common::Rgb sum(0, 0, 0);
-        for (std::size_t i = 0; i < question.y.size(); ++i) sum += rgb_at(numbers, 3 * i) * question.y[i];
+        for (std::size_t i = 0; i < y.size(); ++i) sum += rgb_at(numbers, 3 * i) * y[i];
         return sum;
     }
 };

@@ -13,17 +13,13 @@ struct HemisphereFour {
     using Numbers =
         std::array<float, 12>;  ///< constant, then for x, y and z of the normal; three channels each
     static constexpr std::size_t light_numbers = 12;
+    static constexpr bool linear = true;
     static constexpr std::string_view formula = "E(n) = constant + x n.x + y n.y + z n.z";
 
     [[nodiscard]] static std::string number_name(std::size_t i) {
         constexpr std::array<const char*, 4> layers = {"constant", "x", "y", "z"};
         return rgb_name(layers[i / 3], i % 3);
     }
-
-    struct Question {
-        explicit Question(const common::Vec3& shading_normal) : normal(shading_normal) {}
-        common::Vec3 normal;
-    };
 
     [[nodiscard]] static Numbers numbers_of(const TexelLight<2>& light, const common::Vec3& face_normal) {
         Numbers numbers;
@@ -38,9 +34,9 @@ struct HemisphereFour {
     }
 
     [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3&,
-                                                const Question& question) {
-        return rgb_at(numbers, 0) + rgb_at(numbers, 3) * question.normal.x +
-               rgb_at(numbers, 6) * question.normal.y + rgb_at(numbers, 9) * question.normal.z;
+                                                const common::Vec3& n) {
+        return rgb_at(numbers, 0) + rgb_at(numbers, 3) * n.x + rgb_at(numbers, 6) * n.y +
+               rgb_at(numbers, 9) * n.z;
     }
 };
 

@@ -12,6 +12,7 @@ struct LuminanceNine {
     /// Irradiance for the face's own normal, then harmonics 1 to 8 of a series that is 1 at that normal.
     using Numbers = std::array<float, 11>;
     static constexpr std::size_t light_numbers = 3;
+    static constexpr bool linear = false;
     static constexpr std::string_view formula =
         "E(n) = own (1 + sum over i = 1 to 8 of shape.i (Y_i(n) - Y_i(N))); Y are the orthonormal real "
         "spherical "
@@ -20,11 +21,6 @@ struct LuminanceNine {
     [[nodiscard]] static std::string number_name(std::size_t i) {
         return i < 3 ? rgb_name("own", i) : "shape." + std::to_string(i - 2);
     }
-
-    struct Question {
-        explicit Question(const common::Vec3& shading_normal) : y(evaluate_sh<2>(shading_normal)) {}
-        ShValues<2> y;
-    };
 
     [[nodiscard]] static Numbers numbers_of(const TexelLight<2>& light, const common::Vec3& face_normal) {
         Numbers numbers{};
@@ -39,10 +35,10 @@ struct LuminanceNine {
     }
 
     [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3& face_normal,
-                                                const Question& question) {
-        const ShValues<2> own = evaluate_sh<2>(face_normal);
+                                                const common::Vec3& shading_normal) {
+        const ShValues<2> own = evaluate_sh<2>(face_normal), y = evaluate_sh<2>(shading_normal);
         float shape = 1;
-        for (std::size_t i = 1; i < own.size(); ++i) shape += numbers[2 + i] * (question.y[i] - own[i]);
+        for (std::size_t i = 1; i < own.size(); ++i) shape += numbers[2 + i] * (y[i] - own[i]);
         return rgb_at(numbers, 0) * shape;
     }
 };

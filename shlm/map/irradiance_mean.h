@@ -23,9 +23,6 @@ class IrradianceMean {
         return result;
     }
 
-    /// Returns the same without clamping.
-    [[nodiscard]] common::Rgb series() const { return weight_ == 0 ? common::Rgb(0, 0, 0) : sum_ / weight_; }
-
   private:
     float weight_ = 0;
     common::Rgb sum_{0, 0, 0};

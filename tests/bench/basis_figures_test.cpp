@@ -146,6 +146,24 @@ TEST(BasisFigures, FitsOverTheHemisphereAreAsDerived) {
     }
 }
 
+/// Derived by quadrature of the normal equations over the hemisphere, with neither this code nor its closed
+/// form. Means over 600 rooms there and 240 here have standard errors of 0.05 and 0.07 for order 1.
+TEST(BasisFigures, LeastSquaresFitsAreAsDerived) {
+    for (const LightKind kind : {LightKind::point, LightKind::room, LightKind::uniform}) {
+        const auto& figures = figures_of(kind);
+        for (const std::string basis : {"F0/flux", "F1/radiance", "F2/radiance"}) {
+            const BasisFigures& found = find(figures, basis);
+            const ExpectedFigures expected = *expected_figures(kind, basis);
+            if (kind == LightKind::room && basis == "F0/flux")
+                expect_means(kind, basis, found.series.mean);  // 0.3 and 0.5, six times as much
+            else
+                EXPECT_NEAR(found.series.mean, expected.mean, 0.3) << name_of(kind) << ", " << basis;
+            if (expected.worst) EXPECT_NEAR(found.series.worst, *expected.worst, 0.02 * *expected.worst);
+            EXPECT_NEAR(found.at_own_normal, 1, 1e-5) << name_of(kind) << ", " << basis;
+        }
+    }
+}
+
 /// In light of one colour these bases equal the harmonics they come from. Colours cost only them.
 TEST(BasisFigures, OnlyLuminanceBasesLoseByColour) {
     const auto &grey = figures_of(LightKind::room), &coloured = figures_of(LightKind::coloured_room);
@@ -153,7 +171,9 @@ TEST(BasisFigures, OnlyLuminanceBasesLoseByColour) {
         return find(figures, basis).series.mean;
     };
     EXPECT_NEAR(mean(grey, "YL2/radiance"), mean(grey, "L2/radiance"), 0.01);
-    for (const std::string luminance : {"YL2/radiance", "AD/radiance"})
+    EXPECT_NEAR(mean(grey, "YF1/radiance"), mean(grey, "F1/radiance"), 0.01);
+    EXPECT_NEAR(mean(grey, "YF2/radiance"), mean(grey, "F2/radiance"), 0.01);
+    for (const std::string luminance : {"YL2/radiance", "YF1/radiance", "YF2/radiance", "AD/radiance"})
         EXPECT_GT(mean(coloured, luminance), mean(grey, luminance) + 3) << luminance;
     // Lobes of random strength and tint are slightly more uneven than lobes of random strength.
     for (const std::string& basis : fitted_bases)
@@ -265,7 +285,7 @@ TEST(TiltCurve, IsTheClampedCosineAndWhatIsLeftOfIt) {
     const TiltCurve curve = measure_tilt_curve();
     ASSERT_EQ(curve.degrees.size(), 121u);
     ASSERT_EQ(curve.answers.size(), all_bases().size());
-    constexpr std::size_t order_2 = 5;  // in all_bases()
+    constexpr std::size_t order_2 = 9;  // in all_bases()
     ASSERT_EQ(all_bases()[order_2].name, "L2/radiance");
     for (std::size_t i = 0; i < curve.degrees.size(); ++i) {
         const double x = std::cos((curve.degrees[i] - 40) * pi / 180);

@@ -117,7 +117,7 @@ TEST(Families, ListWhatTheyHaveByNamesOfTheirOwn) {
             EXPECT_TRUE(styles.emplace(style.colour, style.marker).second) << contender.name;
         }
     }
-    EXPECT_EQ(styles.size(), 5u + 8u);
+    EXPECT_EQ(styles.size(), 5u + 13u);
 }
 
 TEST(ContenderName, OneStoreServesContendersThatAskItDifferently) {

@@ -16,7 +16,8 @@ from report import realtime
 from report.browser import SOFTWARE_GRAPHICS, Browser, find_browser
 
 MAPS = ("shlm/L2/radiance/bilinear", "shlm/L4/radiance/bilinear", "shlm/L0/normalised/bilinear", "shlm/L1/radiance/bilinear", "shlm/H4/radiance/bilinear",
-        "shlm/AD/radiance/bilinear", "shlm/YL2/radiance/bilinear")
+        "shlm/AD/radiance/bilinear", "shlm/YL2/radiance/bilinear", "shlm/F0/flux/bilinear", "shlm/F1/radiance/bilinear", "shlm/F2/radiance/bilinear",
+        "shlm/YF1/radiance/bilinear", "shlm/YF2/radiance/bilinear")
 EXACT = 1e-4  # relative RMS, largest there may be
 HARDWARE = 0.5  # of what the graphics card mixes itself: covered area does not count, and chart borders show
 ADAPTIVE = "shlm/a8"
@@ -121,7 +122,7 @@ class Viewer(unittest.TestCase):
         self.browser.evaluate("window.shlmViewer.then(viewer => viewer.probe(viewer.canvas.clientWidth / 2, viewer.canvas.clientHeight * 0.6))")
         said = self.browser.evaluate("document.getElementById('probe').textContent")
         self.assertRegex(said, r"Texel \d+, \d+ of the atlas, \d+ hits")
-        self.assertEqual(self.browser.evaluate("document.querySelectorAll('#probe canvas').length"), 8)  # the seven and an order below
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('#probe canvas').length"), 13)  # the twelve and an order below
         self.assertEqual(self.complaints, [])
 
     def test_a_dropped_normal_map_bends(self):

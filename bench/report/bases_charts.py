@@ -16,18 +16,23 @@ NO_DIFFERENCE = 0.02  # between the errors of two bases
 LEAST_PERCENT = 1e-3  # the logarithmic axis ends somewhere
 CURVES = ("L0/normalised", "F0/flux", "L1/radiance", "F1/radiance", "L2/radiance", "F2/radiance", "L4/radiance")
 FLOATS, HALVES = "o", "s"
-NAMED_BELOW, BELOW = ("AD", "YF1", "YF2", "F0", "F2", "F1"), -9  # others have points right above them; pt
+NAMED_BELOW = ("YF1", "YF2", "F0", "F2", "F1")  # have points right above them
+NAMED_LEFT = ("YL2",)  # has points at its right
+USUAL_WEIGHTS = {"L0": "normalised", "F0": "flux"}  # radiance is that of the others
+
+
+def has_usual_weight(row):
+    return row["fields"]["weight"] == USUAL_WEIGHTS.get(row["fields"]["basis"], "radiance")
 
 
 def colour_of(row):
-    return colour_of_weight(row["style"]["colour"], row["fields"]["weight"])
+    return row["style"]["colour"] if has_usual_weight(row) else colour_of_weight(row["style"]["colour"], row["fields"]["weight"])
 
 
 def label_of(row):
     """What a reader calls it: the weight is said where it is not the usual one."""
     name, weight = row["fields"]["basis"], row["fields"]["weight"]
-    usual = weight == {"L0": "normalised", "F0": "flux"}.get(name, "radiance")
-    return name if usual else f"{name} {weight}"
+    return name if has_usual_weight(row) else f"{name} {weight}"
 
 
 def is_half(row):
@@ -59,12 +64,14 @@ def draw_light(axes, rows, light):
             linestyle="none",
             zorder=3,
         )
-        if half or row["fields"]["weight"] != "radiance" and row["fields"]["basis"] not in ("L0", "F0"):
+        if half or not has_usual_weight(row):
+            left = label_of(row) in NAMED_LEFT
             axes.annotate(
                 label_of(row),
                 (row["bytes_per_texel"], mean),
-                (5, BELOW if label_of(row) in NAMED_BELOW else 4),
+                (-5 if left else 5, -9 if label_of(row) in NAMED_BELOW else 4),
                 textcoords="offset points",
+                ha="right" if left else "left",
                 fontsize=SMALL,
                 color=colour_of(row),
             )

@@ -1,7 +1,7 @@
 #include "bench/export/expanded_map.h"
 
+#include "shlm/map/irradiance_mean.h"
 #include "shlm/map/texel_lookup.h"
-#include "shlm/map/texel_mix.h"
 
 namespace bench {
 namespace {
@@ -76,16 +76,16 @@ class TexelAnswers {
 
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const {
         const StoredTexels& texels = map_.texels;
-        shlm::TexelMix<Kept> mix(point.shading_normal);
+        shlm::IrradianceMean mean;
         lookup_.visit(
             point, [&](std::uint32_t t) { return texels.face[t]; },
             [&](std::uint32_t t, float weight) {
                 Kept::Numbers numbers;
                 for (std::size_t i = 0; i < numbers.size(); ++i)
                     numbers[i] = static_cast<float>(texels.number[t * numbers.size() + i]);
-                mix.add(numbers, texels.face[t].normal, weight);
+                mean.add(Kept::irradiance(numbers, texels.face[t].normal, point.shading_normal), weight);
             });
-        return mix.irradiance() * texels.unit;
+        return mean.irradiance() * texels.unit;
     }
 
     [[nodiscard]] std::size_t bytes() const { return map_.bytes(); }

@@ -156,10 +156,6 @@ vec3 exactSeries(vec3 n, vec3 geometric) {
     ivec2 corner = ivec2(vLightRectangle.xy), size = ivec2(vLightRectangle.zw);
     vec3 sum = vec3(0.0);
     float weight = 0.0;
-#ifdef HEMISPHERE_FIT
-    vec4 mixed[LAYERS];  // shlm/map/texel_mix.h; of other linear bases the mean of answers is the same
-    for (int l = 0; l < LAYERS; ++l) mixed[l] = vec4(0.0);
-#endif
     for (int i = 0; i < 4; ++i) {
         ivec2 step = ivec2(i % 2, i / 2), texel = ivec2(first) + step;
         if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size))) continue;
@@ -168,18 +164,10 @@ vec3 exactSeries(vec3 n, vec3 geometric) {
         vec2 share = mix(1.0 - beyond, beyond, vec2(step));
         vec4 layer[LAYERS];
         for (int l = 0; l < LAYERS; ++l) layer[l] = texelFetch(uLight, ivec3(corner + texel, l), 0);
-        float part = share.x * share.y * face.w;
-        weight += part;
-#ifdef HEMISPHERE_FIT
-        for (int l = 0; l < LAYERS; ++l) mixed[l] += layer[l] * part;
-        sum += face.xyz * part;
-    }
-    return weight == 0.0 ? vec3(0.0) : seriesOf(mixed, normalize(sum), n) / weight;
-#else
-        sum += seriesOf(layer, face.xyz, n) * part;
+        sum += seriesOf(layer, face.xyz, n) * (share.x * share.y * face.w);
+        weight += share.x * share.y * face.w;
     }
     return weight == 0.0 ? vec3(0.0) : sum / weight;
-#endif
 }
 
 // The texture unit mixes the numbers, as engines let it: one fetch a layer, and the surface's own normal as the texel's.

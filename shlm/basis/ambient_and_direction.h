@@ -23,7 +23,6 @@ struct AmbientAndDirection {
     /// ambient.
     using Numbers = std::array<float, 6>;
     static constexpr std::size_t light_numbers = 3;
-    static constexpr bool linear = false;
     static constexpr std::string_view formula =
         "E(n) = own ((1 - d.N) (1 + n.N) / 2 + max(d.n, 0)), d = direction";
 

@@ -15,7 +15,6 @@ namespace shlm {
 /// - `order`: of the harmonics that it is made from.
 /// - `Numbers`: what is kept, an array of floats. The first `light_numbers` of them are in W/m^2, the others
 ///   have no unit.
-/// - `linear`: whether irradiance is linear in the numbers, so that texels' numbers may be added.
 /// - `numbers_of(light, face_normal)`: for a texel whose mean normal is `face_normal`, unit.
 /// - `irradiance(numbers, face_normal, shading_normal)`: W/m^2; negative values of the truncated series are
 ///   not clamped here.
@@ -26,7 +25,6 @@ concept Basis = SupportedOrder<B::order> &&
     requires(const TexelLight<B::order>& light, const typename B::Numbers& numbers,
              const common::Vec3& face_normal, const common::Vec3& shading_normal) {
     { B::light_numbers } -> std::convertible_to<std::size_t>;
-    { B::linear } -> std::convertible_to<bool>;
     { B::numbers_of(light, face_normal) } -> std::same_as<typename B::Numbers>;
     { B::irradiance(numbers, face_normal, shading_normal) } -> std::same_as<common::Rgb>;
     { B::number_name(std::size_t{}) } -> std::same_as<std::string>;

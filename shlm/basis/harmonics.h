@@ -10,7 +10,6 @@ struct Harmonics {
     static constexpr int order = Order;
     using Numbers = std::array<float, 3 * harmonic_count(Order)>;  ///< channel c of harmonic i at [3 i + c]
     static constexpr std::size_t light_numbers = 3 * harmonic_count(Order);
-    static constexpr bool linear = true;
     static constexpr std::string_view formula =
         "E(n) = sum over i of sh.i Y_i(n); Y are the orthonormal real spherical harmonics of bands 0, 1, 2 "
         "and "

@@ -19,15 +19,15 @@ template <int Order>
 /// Keeps the same numbers as Harmonics of that order. Light from below the surface is known to be zero, which
 /// the harmonics ignore. Exact for uniform light from above and, for any light, at the surface's own normal.
 ///
-/// The hemisphere is that of the texels which answer, not that of the triangle under the point. Where a texel
-/// covers a curved surface, light comes from below some of its triangles, and the fit has no bounds there.
+/// The hemisphere is that of each texel which answers, not that of the triangle under the point: where a
+/// texel covers a curved surface, light comes from below that, and the fit has no bounds there. For the same
+/// reason texels are fitted one by one: their numbers mixed and fitted once had the larger error (atrium).
 template <int Order>
 struct HemisphereFit {
     static_assert(Order == 1 || Order == 2);
     static constexpr int order = Order;
     using Numbers = typename Harmonics<Order>::Numbers;
     static constexpr std::size_t light_numbers = Harmonics<Order>::light_numbers;
-    static constexpr bool linear = true;
     static constexpr std::string_view formula =
         "E(n) = sum over i of sh.i q_i / A_i; A = pi, 2 pi / 3, pi / 4 for bands 0, 1, 2; q_i are the "
         "factors of "
@@ -56,7 +56,6 @@ struct HemisphereFit<0> {
     static constexpr int order = 0;
     using Numbers = std::array<float, 3>;
     static constexpr std::size_t light_numbers = 3;
-    static constexpr bool linear = true;
     static constexpr std::string_view formula = "E(n) = own (1 + n.N) / 2";
 
     [[nodiscard]] static std::string number_name(std::size_t i) { return rgb_name("own", i); }

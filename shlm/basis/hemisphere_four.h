@@ -13,7 +13,6 @@ struct HemisphereFour {
     using Numbers =
         std::array<float, 12>;  ///< constant, then for x, y and z of the normal; three channels each
     static constexpr std::size_t light_numbers = 12;
-    static constexpr bool linear = true;
     static constexpr std::string_view formula = "E(n) = constant + x n.x + y n.y + z n.z";
 
     [[nodiscard]] static std::string number_name(std::size_t i) {

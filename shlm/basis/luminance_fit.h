@@ -14,7 +14,6 @@ struct LuminanceFit {
     static constexpr std::size_t light_numbers = harmonic_count(Order);
     /// The harmonics of the mean of the channels; then red and green at the own normal divided by that mean.
     using Numbers = std::array<float, light_numbers + 2>;
-    static constexpr bool linear = false;
     static constexpr std::string_view formula =
         "E(n) = colour.c sum over i of mean.i q_i / A_i, colour.B = 3 - colour.R - colour.G; A = pi, 2 pi / "
         "3, pi / 4 for bands 0, 1, 2; q_i are the factors of the orthonormal real spherical harmonics, m "

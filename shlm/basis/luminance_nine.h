@@ -12,7 +12,6 @@ struct LuminanceNine {
     /// Irradiance for the face's own normal, then harmonics 1 to 8 of a series that is 1 at that normal.
     using Numbers = std::array<float, 11>;
     static constexpr std::size_t light_numbers = 3;
-    static constexpr bool linear = false;
     static constexpr std::string_view formula =
         "E(n) = own (1 + sum over i = 1 to 8 of shape.i (Y_i(n) - Y_i(N))); Y are the orthonormal real "
         "spherical "

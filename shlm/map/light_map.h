@@ -8,9 +8,9 @@
 
 #include "common/estimator/irradiance_estimator.h"
 #include "shlm/basis/harmonics.h"
+#include "shlm/map/irradiance_mean.h"
 #include "shlm/map/stored_texel.h"
 #include "shlm/map/texel_blocks.h"
-#include "shlm/map/texel_mix.h"
 #include "shlm/sums/texel_sums.h"
 
 namespace shlm {
@@ -41,18 +41,20 @@ class LightMap {
     /// Returns irradiance for the shading normal, W/m^2: the weighted mean over the texels that the lookup
     /// finds. Never negative; zero if it finds none.
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const {
-        TexelMix<B> mix(point.shading_normal);
+        IrradianceMean mean;
         std::visit(
             [&](const auto& lookup) {
                 lookup.visit(
                     point, [&](std::uint32_t i) { return texels_[i].face.unpacked(); },
                     [&](std::uint32_t i, float weight) {
                         const Texel<B, Number>& texel = texels_[i];
-                        mix.add(texel.numbers(), texel.face.unpacked().normal, weight);
+                        mean.add(B::irradiance(texel.numbers(), texel.face.unpacked().normal,
+                                               point.shading_normal),
+                                 weight);
                     });
             },
             lookup_);
-        return mix.irradiance() * unit_;
+        return mean.irradiance() * unit_;
     }
 
     [[nodiscard]] std::size_t bytes() const {

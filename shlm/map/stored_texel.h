@@ -50,8 +50,7 @@ struct Texel {
 
     /// Returns irradiance for a shading normal, in the map's unit; may be negative.
     [[nodiscard]] common::Rgb irradiance(const common::Vec3& shading_normal) const {
-        const common::Vec3 own = face.unpacked().normal;
-        return B::irradiance(numbers(), own, shading_normal);
+        return B::irradiance(numbers(), face.unpacked().normal, shading_normal);
     }
 };
 

@@ -75,6 +75,7 @@ class TexelAnswers {
     explicit TexelAnswers(const ExpandedMap& map) : map_(map), lookup_(map.layout) {}
 
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const {
+        const Kept::Question question(point.shading_normal);
         const StoredTexels& texels = map_.texels;
         shlm::IrradianceMean mean;
         lookup_.visit(
@@ -83,7 +84,7 @@ class TexelAnswers {
                 Kept::Numbers numbers;
                 for (std::size_t i = 0; i < numbers.size(); ++i)
                     numbers[i] = static_cast<float>(texels.number[t * numbers.size() + i]);
-                mean.add(Kept::irradiance(numbers, texels.face[t].normal, point.shading_normal), weight);
+                mean.add(Kept::irradiance(numbers, texels.face[t].normal, question), weight);
             });
         return mean.irradiance() * texels.unit;
     }

@@ -252,7 +252,9 @@ common::Rgb AdaptiveMap::irradiance(const common::SurfacePoint& point) const {
         if (block.kind == BlockKind::flat) return mean.add(rgb_of(block.number), weight);
         with_directional_basis(block.kind, [&](auto basis) {
             using B = decltype(basis);
-            mean.add(B::irradiance(block.numbers<B>(), block.normal, point.shading_normal), weight);
+            mean.add(
+                B::irradiance(block.numbers<B>(), block.normal, typename B::Question(point.shading_normal)),
+                weight);
         });
     });
     return mean.irradiance() * unit_;

@@ -163,8 +163,9 @@ class CostsOfFace {
         return with_directional_basis(kind, [&](auto basis) {
             using Basis = decltype(basis);
             const auto numbers = numbers_of<Basis>(light, face_normal);
-            return mean_square(
-                [&](const Vec3& normal) { return Basis::irradiance(numbers, face_normal, normal); });
+            return mean_square([&](const Vec3& normal) {
+                return Basis::irradiance(numbers, face_normal, typename Basis::Question(normal));
+            });
         });
     }
 

@@ -30,6 +30,11 @@ struct AmbientAndDirection {
         return i < 3 ? rgb_name("own", i) : std::string("direction.") + "XYZ"[i - 3];
     }
 
+    struct Question {
+        explicit Question(const common::Vec3& shading_normal) : normal(shading_normal) {}
+        common::Vec3 normal;
+    };
+
     [[nodiscard]] static Numbers numbers_of(const TexelLight<1>& light, const common::Vec3& face_normal) {
         Numbers numbers{};
         for (int c = 0; c < 3; ++c)
@@ -47,11 +52,11 @@ struct AmbientAndDirection {
     }
 
     [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3& face_normal,
-                                                const common::Vec3& shading_normal) {
+                                                const Question& question) {
         const common::Vec3 direct = rgb_at(numbers, 3);
         const float ambient = 1 - direct.dot(face_normal);
-        return rgb_at(numbers, 0) * (ambient * (1 + shading_normal.dot(face_normal)) / 2 +
-                                     std::max(direct.dot(shading_normal), 0.0f));
+        return rgb_at(numbers, 0) * (ambient * (1 + question.normal.dot(face_normal)) / 2 +
+                                     std::max(direct.dot(question.normal), 0.0f));
     }
 
   private:

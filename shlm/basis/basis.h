@@ -15,18 +15,19 @@ namespace shlm {
 /// - `order`: of the harmonics that it is made from.
 /// - `Numbers`: what is kept, an array of floats. The first `light_numbers` of them are in W/m^2, the others
 ///   have no unit.
+/// - `Question`: made from a shading normal; holds what all texels evaluated for that normal share.
 /// - `numbers_of(light, face_normal)`: for a texel whose mean normal is `face_normal`, unit.
-/// - `irradiance(numbers, face_normal, shading_normal)`: W/m^2; negative values of the truncated series are
-///   not clamped here.
+/// - `irradiance(numbers, face_normal, question)`: W/m^2; negative values of the truncated series are not
+///   clamped here.
 /// - `number_name(i)`: the name of number i in a file, LAYER.CHANNEL.
 /// - `formula`: irradiance in words, from these layers, the shading normal n and the texel's normal N.
 template <class B>
-concept Basis = SupportedOrder<B::order> &&
+concept Basis = SupportedOrder<B::order> && std::constructible_from<typename B::Question, common::Vec3> &&
     requires(const TexelLight<B::order>& light, const typename B::Numbers& numbers,
-             const common::Vec3& face_normal, const common::Vec3& shading_normal) {
+             const common::Vec3& face_normal, const typename B::Question& question) {
     { B::light_numbers } -> std::convertible_to<std::size_t>;
     { B::numbers_of(light, face_normal) } -> std::same_as<typename B::Numbers>;
-    { B::irradiance(numbers, face_normal, shading_normal) } -> std::same_as<common::Rgb>;
+    { B::irradiance(numbers, face_normal, question) } -> std::same_as<common::Rgb>;
     { B::number_name(std::size_t{}) } -> std::same_as<std::string>;
     { B::formula } -> std::convertible_to<std::string_view>;
 };

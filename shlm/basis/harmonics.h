@@ -19,6 +19,11 @@ struct Harmonics {
         return rgb_name("sh." + std::to_string(i / 3), i % 3);
     }
 
+    struct Question {
+        explicit Question(const common::Vec3& shading_normal) : y(evaluate_sh<Order>(shading_normal)) {}
+        ShValues<Order> y;
+    };
+
     [[nodiscard]] static Numbers numbers_of(const TexelLight<Order>& light, const common::Vec3&) {
         Numbers numbers;
         for (std::size_t i = 0; i < light.size(); ++i) set_rgb(numbers, 3 * i, light[i]);
@@ -26,10 +31,9 @@ struct Harmonics {
     }
 
     [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3&,
-                                                const common::Vec3& shading_normal) {
-        const ShValues<Order> y = evaluate_sh<Order>(shading_normal);
+                                                const Question& question) {
         common::Rgb sum(0, 0, 0);
-        for (std::size_t i = 0; i < y.size(); ++i) sum += rgb_at(numbers, 3 * i) * y[i];
+        for (std::size_t i = 0; i < question.y.size(); ++i) sum += rgb_at(numbers, 3 * i) * question.y[i];
         return sum;
     }
 };

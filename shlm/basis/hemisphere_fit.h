@@ -36,13 +36,18 @@ struct HemisphereFit {
 
     [[nodiscard]] static std::string number_name(std::size_t i) { return Harmonics<Order>::number_name(i); }
 
+    struct Question {
+        explicit Question(const common::Vec3& shading_normal) : normal(shading_normal) {}
+        common::Vec3 normal;
+    };
+
     [[nodiscard]] static Numbers numbers_of(const TexelLight<Order>& light, const common::Vec3& normal) {
         return Harmonics<Order>::numbers_of(light, normal);
     }
 
     [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3& face_normal,
-                                                const common::Vec3& shading_normal) {
-        const ShValues<Order> factors = fitted_factors<Order>(face_normal, shading_normal);
+                                                const Question& question) {
+        const ShValues<Order> factors = fitted_factors<Order>(face_normal, question.normal);
         common::Rgb sum(0, 0, 0);
         for (std::size_t i = 0; i < factors.size(); ++i) sum += rgb_at(numbers, 3 * i) * factors[i];
         return sum;
@@ -60,6 +65,11 @@ struct HemisphereFit<0> {
 
     [[nodiscard]] static std::string number_name(std::size_t i) { return rgb_name("own", i); }
 
+    struct Question {
+        explicit Question(const common::Vec3& shading_normal) : normal(shading_normal) {}
+        common::Vec3 normal;
+    };
+
     [[nodiscard]] static Numbers numbers_of(const TexelLight<0>& light, const common::Vec3&) {
         // A hit of F / a has added c0 F / a, and the light's coefficient is pi times the sum.
         const common::Rgb own = light[0] / (cosine_factors<0>[0] * sh_constants::c0);
@@ -67,8 +77,8 @@ struct HemisphereFit<0> {
     }
 
     [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3& face_normal,
-                                                const common::Vec3& shading_normal) {
-        return rgb_at(numbers, 0) * ((1 + face_normal.dot(shading_normal)) / 2);
+                                                const Question& question) {
+        return rgb_at(numbers, 0) * ((1 + face_normal.dot(question.normal)) / 2);
     }
 };
 

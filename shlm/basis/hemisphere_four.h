@@ -20,6 +20,11 @@ struct HemisphereFour {
         return rgb_name(layers[i / 3], i % 3);
     }
 
+    struct Question {
+        explicit Question(const common::Vec3& shading_normal) : normal(shading_normal) {}
+        common::Vec3 normal;
+    };
+
     [[nodiscard]] static Numbers numbers_of(const TexelLight<2>& light, const common::Vec3& face_normal) {
         Numbers numbers;
         for (int c = 0; c < 3; ++c) {
@@ -33,9 +38,9 @@ struct HemisphereFour {
     }
 
     [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3&,
-                                                const common::Vec3& n) {
-        return rgb_at(numbers, 0) + rgb_at(numbers, 3) * n.x + rgb_at(numbers, 6) * n.y +
-               rgb_at(numbers, 9) * n.z;
+                                                const Question& question) {
+        return rgb_at(numbers, 0) + rgb_at(numbers, 3) * question.normal.x +
+               rgb_at(numbers, 6) * question.normal.y + rgb_at(numbers, 9) * question.normal.z;
     }
 };
 

@@ -24,12 +24,14 @@ struct LuminanceFit {
         return i < light_numbers ? "mean." + std::to_string(i) : rgb_name("colour", i - light_numbers);
     }
 
+    using Question = typename HemisphereFit<Order>::Question;
+
     [[nodiscard]] static Numbers numbers_of(const TexelLight<Order>& light, const common::Vec3& normal) {
         const auto grey = grey_of(light);
         Numbers numbers;
         std::copy(grey.begin(), grey.end(), numbers.begin());
-        const common::Rgb own =
-            HemisphereFit<Order>::irradiance(HemisphereFit<Order>::numbers_of(light, normal), normal, normal);
+        const common::Rgb own = HemisphereFit<Order>::irradiance(
+            HemisphereFit<Order>::numbers_of(light, normal), normal, Question(normal));
         const float mean = common::mean_component(own);
         // Where no light reaches the surface, there is no colour of it.
         for (std::size_t c = 0; c < 2; ++c)
@@ -39,8 +41,8 @@ struct LuminanceFit {
     }
 
     [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3& face_normal,
-                                                const common::Vec3& shading_normal) {
-        const ShValues<Order> factors = fitted_factors<Order>(face_normal, shading_normal);
+                                                const Question& question) {
+        const ShValues<Order> factors = fitted_factors<Order>(face_normal, question.normal);
         float mean = 0;
         for (std::size_t i = 0; i < light_numbers; ++i) mean += numbers[i] * factors[i];
         const float red = numbers[light_numbers], green = numbers[light_numbers + 1];

@@ -21,6 +21,11 @@ struct LuminanceNine {
         return i < 3 ? rgb_name("own", i) : "shape." + std::to_string(i - 2);
     }
 
+    struct Question {
+        explicit Question(const common::Vec3& shading_normal) : y(evaluate_sh<2>(shading_normal)) {}
+        ShValues<2> y;
+    };
+
     [[nodiscard]] static Numbers numbers_of(const TexelLight<2>& light, const common::Vec3& face_normal) {
         Numbers numbers{};
         const ShValues<2> y = evaluate_sh<2>(face_normal);
@@ -34,10 +39,10 @@ struct LuminanceNine {
     }
 
     [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3& face_normal,
-                                                const common::Vec3& shading_normal) {
-        const ShValues<2> own = evaluate_sh<2>(face_normal), y = evaluate_sh<2>(shading_normal);
+                                                const Question& question) {
+        const ShValues<2> own = evaluate_sh<2>(face_normal);
         float shape = 1;
-        for (std::size_t i = 1; i < own.size(); ++i) shape += numbers[2 + i] * (y[i] - own[i]);
+        for (std::size_t i = 1; i < own.size(); ++i) shape += numbers[2 + i] * (question.y[i] - own[i]);
         return rgb_at(numbers, 0) * shape;
     }
 };

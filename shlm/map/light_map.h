@@ -41,6 +41,7 @@ class LightMap {
     /// Returns irradiance for the shading normal, W/m^2: the weighted mean over the texels that the lookup
     /// finds. Never negative; zero if it finds none.
     [[nodiscard]] common::Rgb irradiance(const common::SurfacePoint& point) const {
+        const typename B::Question question(point.shading_normal);
         IrradianceMean mean;
         std::visit(
             [&](const auto& lookup) {
@@ -48,8 +49,7 @@ class LightMap {
                     point, [&](std::uint32_t i) { return texels_[i].face.unpacked(); },
                     [&](std::uint32_t i, float weight) {
                         const Texel<B, Number>& texel = texels_[i];
-                        mean.add(B::irradiance(texel.numbers(), texel.face.unpacked().normal,
-                                               point.shading_normal),
+                        mean.add(B::irradiance(texel.numbers(), texel.face.unpacked().normal, question),
                                  weight);
                     });
             },

@@ -50,7 +50,7 @@ struct Texel {
 
     /// Returns irradiance for a shading normal, in the map's unit; may be negative.
     [[nodiscard]] common::Rgb irradiance(const common::Vec3& shading_normal) const {
-        return B::irradiance(numbers(), face.unpacked().normal, shading_normal);
+        return B::irradiance(numbers(), face.unpacked().normal, typename B::Question(shading_normal));
     }
 };
 

@@ -42,7 +42,7 @@ TexelLight<2> grey(TexelLight<2> light) {
 
 template <class Basis>
 Rgb irradiance(const typename Basis::Numbers& numbers, const Vec3& face_normal, const Vec3& normal) {
-    return Basis::irradiance(numbers, face_normal, normal);
+    return Basis::irradiance(numbers, face_normal, typename Basis::Question(normal));
 }
 
 double series(const TexelLight<2>& light, const Vec3& normal) {

@@ -164,7 +164,7 @@ float series_differs(const typename B::Numbers& numbers, const Vec3& normal) {
     float largest = 0;
     for (const Vec3& n : {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.6f, 0, 0.8f),
                           Vec3(-0.48f, 0.64f, 0.6f), Vec3(0, 0.8f, -0.6f), normal}) {
-        const Rgb kept = B::irradiance(numbers, normal, n),
+        const Rgb kept = B::irradiance(numbers, normal, typename B::Question(n)),
                   shown = shlm::evaluate_series<2>(series, shlm::evaluate_sh<2>(n));
         for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(kept[c] - shown[c]));
     }

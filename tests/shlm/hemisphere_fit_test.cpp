@@ -60,7 +60,8 @@ template <int Order>
 Rgb irradiance(std::span<const Hit> hits, const Vec3& surface_normal, const Vec3& normal) {
     using Fit = HemisphereFit<Order>;
     const auto light = light_of<Order, right_weight<Order>>(hits, surface_normal);
-    return Fit::irradiance(Fit::numbers_of(light, surface_normal), surface_normal, normal);
+    return Fit::irradiance(Fit::numbers_of(light, surface_normal), surface_normal,
+                           typename Fit::Question(normal));
 }
 
 /// Returns hits of uniform radiance 1 / pi from directions that share the hemisphere evenly.

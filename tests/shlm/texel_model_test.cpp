@@ -149,7 +149,8 @@ double largest_answer(const shlm::TexelLight<Order>& held) {
     using Basis = shlm::Harmonics<Order>;
     double largest = 0;
     for (int tilt = -90; tilt <= 90; ++tilt) {
-        const Rgb answer = Basis::irradiance(Basis::numbers_of(held, up), up, direction(tilt * degrees));
+        const typename Basis::Question question(direction(tilt * degrees));
+        const Rgb answer = Basis::irradiance(Basis::numbers_of(held, up), up, question);
         largest = std::max(largest, static_cast<double>(answer.x));
     }
     return largest;

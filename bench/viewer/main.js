@@ -70,6 +70,7 @@ class Viewer {
   }
 
   probe(x, y) {
+    this.fitCanvas();
     const ratio = this.canvas.width / this.canvas.clientWidth;
     showProbe(this, Math.floor(x * ratio), Math.floor(y * ratio), this.canvas.width, this.canvas.height);
     this.draw();
@@ -81,10 +82,16 @@ class Viewer {
     requestAnimationFrame(() => { this.waiting = false; this.drawNow(); });
   }
 
-  drawNow() {
-    const { canvas, renderer } = this, ratio = Math.min(2, window.devicePixelRatio || 1);
-    const width = Math.max(1, Math.round(canvas.clientWidth * ratio)), height = Math.max(1, Math.round(canvas.clientHeight * ratio));
+  /** Gives the canvas the pixels of the place it has on the page, which no frame may have been drawn at yet. */
+  fitCanvas() {
+    const { canvas } = this, ratio = Math.min(2, window.devicePixelRatio || 1);
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map(side => Math.max(1, Math.round(side * ratio)));
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+  }
+
+  drawNow() {
+    this.fitCanvas();
+    const { canvas, renderer } = this, { width, height } = canvas;
     const line = Math.round(width * this.split), sides = this.flipped ? ["b", "a"] : ["a", "b"], area = [0, 0, width, height];
     const parts = this.split > 0 ? [[sides[0], [0, 0, line, height]], [sides[1], [line, 0, width - line, height]]] : [[sides[0], area]];
     for (const [side, part] of parts) if (part[2] > 0) renderer.draw(this.cameraNow(), this.lookOf(side), area, part);

@@ -119,7 +119,9 @@ class Viewer(unittest.TestCase):
 
     def test_a_point_tells_its_texel(self):
         self.open("bumpy")
-        self.browser.evaluate("window.shlmViewer.then(viewer => viewer.probe(viewer.canvas.clientWidth / 2, viewer.canvas.clientHeight * 0.6))")
+        # As on a page that no frame was drawn on yet: a canvas has 300 by 150 pixels wherever it lies.
+        self.browser.evaluate("window.shlmViewer.then(viewer => { [viewer.canvas.width, viewer.canvas.height] = [300, 150];"
+                              " viewer.probe(viewer.canvas.clientWidth / 2, viewer.canvas.clientHeight * 0.6); })")
         said = self.browser.evaluate("document.getElementById('probe').textContent")
         self.assertRegex(said, r"Texel \d+, \d+ of the atlas, \d+ hits")
         self.assertEqual(self.browser.evaluate("document.querySelectorAll('#probe canvas').length"), 13)  # the twelve and an order below

@@ -6,7 +6,7 @@
 namespace bench {
 namespace {
 
-using Kept = shlm::Harmonics<2>;
+using Kept = shlm::HemisphereFit<2>;
 
 /// What is read before the unit of the halves is known.
 using ReadTexels = std::vector<std::optional<shlm::AdaptiveMap::FaceLight>>;
@@ -49,7 +49,7 @@ StoredTexels in_halves(const ReadTexels& read, std::vector<std::uint64_t> hits) 
     float largest = 0;
     for (const auto& texel : read)
         if (texel)
-            for (const common::Rgb& coefficient : texel->by_normal)
+            for (const common::Rgb& coefficient : texel->moments)
                 for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(coefficient[c]));
     StoredTexels stored{
         shlm::number_count<Kept>, Kept::light_numbers, shlm::unit_for_halves(largest), {}, {}, {},
@@ -64,7 +64,7 @@ StoredTexels in_halves(const ReadTexels& read, std::vector<std::uint64_t> hits) 
         for (std::size_t i = 0; i < numbers.size(); ++i)
             stored.number[t * numbers.size() + i] = shlm::half_of(numbers[i], stored.unit);
         stored.face[t] = {normal, 1};
-        stored.own[t] = shlm::evaluate_series<2>(light, shlm::evaluate_sh<2>(normal));
+        stored.own[t] = Kept::irradiance(numbers, normal, Kept::Question(normal));
     }
     return stored;
 }

@@ -6,8 +6,9 @@
 
 namespace bench {
 
-/// Texels of order 2, as large in each region as the region's smallest block.
+/// Texels of F2, as large in each region as the region's smallest block.
 struct ExpandedMap {
+    static constexpr const char* basis = "F2";
     shlm::TexelLayout layout;
     StoredTexels texels;
 

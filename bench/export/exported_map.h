@@ -1,7 +1,8 @@
 // A light map on its way to other programs.
 #pragma once
 
-#include "bench/contenders/light_map.h"
+#include "bench/contenders/light_map_names.h"
+#include "bench/export/expanded_map.h"
 #include "bench/export/light_atlas.h"
 
 namespace bench {
@@ -17,8 +18,10 @@ struct ExportedMap {
     StoredTexels texels;
     std::optional<Expansion> expansion{};  ///< of an adaptive map
 
-    /// Returns what the texels keep: of an adaptive map order 2.
-    [[nodiscard]] const LightBasis& basis() const { return *method.light_map()->setting().basis; }
+    /// Returns what the texels keep.
+    [[nodiscard]] const LightBasis& basis() const {
+        return expansion ? basis_named(ExpandedMap::basis) : *method.light_map()->setting().basis;
+    }
 };
 
 /// What others are told of where a map comes from.

@@ -14,10 +14,9 @@ from report.text import machine_text
 
 NO_DIFFERENCE = 0.02  # between the errors of two bases
 LEAST_PERCENT = 1e-3  # the logarithmic axis ends somewhere
-CURVES = ("L0/normalised", "F0/flux", "L1/radiance", "F1/radiance", "L2/radiance", "F2/radiance", "L4/radiance")
+CURVES = ("L0/normalised", "F0/flux", "F1/radiance", "L2/radiance", "F2/radiance", "L4/radiance")
 FLOATS, HALVES = "o", "s"
 NAMED_BELOW = ("YF1", "YF2", "F0", "F2", "F1")  # have points right above them
-NAMED_LEFT = ("YL2",)  # has points at its right
 USUAL_WEIGHTS = {"L0": "normalised", "F0": "flux"}  # radiance is that of the others
 
 
@@ -65,13 +64,11 @@ def draw_light(axes, rows, light):
             zorder=3,
         )
         if half or not has_usual_weight(row):
-            left = label_of(row) in NAMED_LEFT
             axes.annotate(
                 label_of(row),
                 (row["bytes_per_texel"], mean),
-                (-5 if left else 5, -9 if label_of(row) in NAMED_BELOW else 4),
+                (5, -9 if label_of(row) in NAMED_BELOW else 4),
                 textcoords="offset points",
-                ha="right" if left else "left",
                 fontsize=SMALL,
                 color=colour_of(row),
             )

@@ -17,7 +17,7 @@ from report.markdown import table_text
 from report.text import NOTHING, bytes_text, hits_text, machine_text, number_text, share_text
 
 # L4 keeps the numbers of lower orders, too.
-MAPS = ("shlm/L4/radiance", "shlm/L2/radiance", "shlm/L1/radiance", "shlm/L0/normalised", "shlm/H4/radiance", "shlm/AD/radiance", "shlm/YL2/radiance")
+MAPS = ("shlm/L4/radiance", "shlm/L2/radiance", "shlm/L0/normalised", "shlm/AD/radiance", "shlm/F1/radiance", "shlm/F2/radiance", "shlm/YF2/radiance")
 FILES = ("lit.glb", "lightmap.exr", "lightmap.npy", "viewer.html")
 HEADS = ("scene", "basis", "exact filter: difference", "hardware filter: difference", "error, exact", "error, hardware", "error beside the traditional map's")
 COST_HEADS = ("basis", "bytes a texel", "beside the traditional map", "hardware: fetches", "bytes", "exact: fetches", "bytes")

@@ -1,8 +1,8 @@
 // Irradiance of the fragment's normal from the light map, as the paper's fragment program finds it: "we evaluate the
 // SH basis functions for the normal of the fragment" (Good and Taylor 2005).
 //
-// Before this text stand, made by shading.js and by the program: HARMONICS, AMBIENT_AND_DIRECTION, HEMISPHERE_FOUR
-// or LUMINANCE_NINE (one of them is defined); COUNT, harmonics that are evaluated; LAYERS, of the texture; EXACT or
+// Before this text stand, made by shading.js and by the program: HARMONICS, HEMISPHERE_FIT, LUMINANCE_FIT
+// or AMBIENT_AND_DIRECTION (one of them is defined); COUNT, harmonics that are evaluated; LAYERS, of the texture; EXACT or
 // not; MEASURE (numbers in place of colours; with POINTS, of single points), HEMISPHERE (one texel's light for all normals) or neither; and the
 // constants C0 to C44 and SAME_SURFACE_COSINE.
 
@@ -119,17 +119,9 @@ vec3 seriesOf(vec4 layer[LAYERS], vec3 face, vec3 n) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < COUNT; ++i) sum += RGB_AT(3 * i) * gY[i];
     return sum;
-#elif defined(HEMISPHERE_FOUR)
-    return RGB_AT(0) + RGB_AT(3) * n.x + RGB_AT(6) * n.y + RGB_AT(9) * n.z;
 #elif defined(AMBIENT_AND_DIRECTION)
     vec3 direct = RGB_AT(3);
     return RGB_AT(0) * ((1.0 - dot(direct, face)) * (1.0 + dot(n, face)) / 2.0 + max(dot(direct, n), 0.0));
-#elif defined(LUMINANCE_NINE)
-    float own[COUNT];
-    harmonics(face, own);
-    float shape = 1.0;
-    for (int i = 1; i < COUNT; ++i) shape += NUMBER(2 + i) * (gY[i] - own[i]);
-    return RGB_AT(0) * shape;
 #elif defined(HEMISPHERE_FIT) && COUNT == 1
     return RGB_AT(0) * ((1.0 + dot(n, face)) / 2.0);
 #elif defined(HEMISPHERE_FIT)

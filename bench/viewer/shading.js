@@ -1,8 +1,8 @@
 // The fragment programs: one for each basis, filter and purpose, compiled when it is first wanted.
 
-const BASES = { L0: "HARMONICS", L1: "HARMONICS", L2: "HARMONICS", L4: "HARMONICS", H4: "HEMISPHERE_FOUR", AD: "AMBIENT_AND_DIRECTION", YL2: "LUMINANCE_NINE",
+const BASES = { L0: "HARMONICS", L2: "HARMONICS", L4: "HARMONICS", AD: "AMBIENT_AND_DIRECTION",
   F0: "HEMISPHERE_FIT", F1: "HEMISPHERE_FIT", F2: "HEMISPHERE_FIT", YF1: "LUMINANCE_FIT", YF2: "LUMINANCE_FIT" };
-const HARMONICS_OF = { L0: 1, L1: 4, L2: 9, L4: 18, H4: 1, AD: 1, YL2: 9, F0: 1, F1: 4, F2: 9, YF1: 4, YF2: 9 };
+const HARMONICS_OF = { L0: 1, L2: 9, L4: 18, AD: 1, F0: 1, F1: 4, F2: 9, YF1: 4, YF2: 9 };
 
 /** What can be shown of a scene's maps: each map, and lower orders of what keeps plain harmonics. */
 function choicesOf(maps) {
@@ -10,7 +10,7 @@ function choicesOf(maps) {
   const has = new Set(maps.filter(map => map.fields.weight === "radiance").map(map => map.basis));
   for (const choice of [...choices]) {
     if (BASES[choice.basis] !== "HARMONICS" || choice.map.fields.weight !== "radiance") continue;
-    for (const basis of ["L2", "L1", "L0"]) {
+    for (const basis of ["L2", "L0"]) {
       if (HARMONICS_OF[basis] >= HARMONICS_OF[choice.basis] || has.has(basis)) continue;
       has.add(basis);
       choices.push({ ...choice, basis, name: `${basis} of ${choice.name}`, label: `${basis} radiance` });

@@ -6,7 +6,7 @@
 #include <bit>
 
 #include "common/core/input_error.h"
-#include "shlm/adaptive/block_series.h"
+#include "shlm/adaptive/block_moments.h"
 #include "shlm/map/irradiance_mean.h"
 #include "shlm/map/packed_normal.h"
 #include "shlm/map/stored_texel.h"
@@ -33,16 +33,10 @@ float number_at(const std::uint16_t* stored, std::size_t i) {
     return static_cast<float>(h);
 }
 
-Rgb rgb_of(const std::uint16_t* stored) {
-    return {number_at(stored, 0), number_at(stored, 1), number_at(stored, 2)};
-}
-
 std::vector<float> kept_numbers(BlockKind kind, const LightBlock& block) {
-    const BlockLight light = block.light();
-    if (kind == BlockKind::flat) return {light.surface.x, light.surface.y, light.surface.z};
-    if (kind < BlockKind::flat) return {};
-    return with_directional_basis(kind, [&](auto basis) {
-        const auto numbers = shlm::numbers_of<decltype(basis)>(light, block.surface.unit_normal());
+    if (!keeps_numbers(kind)) return {};
+    return with_basis(kind, [&](auto basis) {
+        const auto numbers = shlm::numbers_of<decltype(basis)>(block.light(), block.surface.unit_normal());
         return std::vector<float>(numbers.begin(), numbers.end());
     });
 }
@@ -66,18 +60,17 @@ struct AdaptiveMap::Draft {
 /// Descends from the largest block and makes the chosen blocks.
 class AdaptiveMap::Drawing {
   public:
-    static Draft draft_of(const LightPyramid& pyramid, bool flat, const BlockChoice& choice) {
-        Drawing drawing(pyramid, flat, choice);
+    static Draft draft_of(const LightPyramid& pyramid, const BlockChoice& choice) {
+        Drawing drawing(pyramid, choice);
         drawing.draft_.node.push_back(0);
         drawing.draw(0, pyramid.levels() - 1, 0, 0);
         return std::move(drawing.draft_);
     }
 
   private:
-    Drawing(const LightPyramid& pyramid, bool flat, const BlockChoice& choice)
-        : pyramid_(pyramid), choice_(choice) {
+    Drawing(const LightPyramid& pyramid, const BlockChoice& choice) : pyramid_(pyramid), choice_(choice) {
         draft_.face = pyramid.face();
-        draft_.flat = flat;
+        draft_.flat = pyramid.is_flat();
         draft_.normal = pyramid.largest_block().surface.unit_normal();
     }
 
@@ -120,9 +113,8 @@ AdaptiveMap::AdaptiveMap(const BlockSearch& search, const TexelLayout& layout, d
     const MapBlocks blocks = search.smallest(wanted_error);
     estimated_error_ = blocks.error;
     std::vector<Draft> drafts(pyramids.size());
-    tbb::parallel_for(std::size_t{0}, pyramids.size(), [&](std::size_t f) {
-        drafts[f] = Drawing::draft_of(pyramids[f], search.is_flat(f), blocks.face[f]);
-    });
+    tbb::parallel_for(std::size_t{0}, pyramids.size(),
+                      [&](std::size_t f) { drafts[f] = Drawing::draft_of(pyramids[f], blocks.face[f]); });
     assemble(drafts);
 }
 
@@ -249,12 +241,11 @@ common::Rgb AdaptiveMap::irradiance(const common::SurfacePoint& point) const {
         const StoredBlock block = block_of(face, node);
         if (weight <= 0 || block.normal.dot(point.geometric_normal) <= common::same_surface_cosine) return;
         if (block.kind == BlockKind::dark) return mean.add(Rgb(0, 0, 0), weight);
-        if (block.kind == BlockKind::flat) return mean.add(rgb_of(block.number), weight);
-        with_directional_basis(block.kind, [&](auto basis) {
+        with_basis(block.kind, [&](auto basis) {
             using B = decltype(basis);
-            mean.add(
-                B::irradiance(block.numbers<B>(), block.normal, typename B::Question(point.shading_normal)),
-                weight);
+            mean.add(block_irradiance<B>(block.numbers<B>(), {face.has_one_normal(), block.normal},
+                                         point.shading_normal),
+                     weight);
         });
     });
     return mean.irradiance() * unit_;
@@ -264,20 +255,18 @@ std::optional<AdaptiveMap::FaceLight> AdaptiveMap::light_at(const TexelPlace& pl
     const Face& face = face_[face_index(place.region, place.back)];
     const Vec3 own = block_of(face, find(face, place).node).normal;
     if (own == Vec3(0, 0, 0)) return std::nullopt;
-    TexelLight<2> sum = constant_series({0, 0, 0});
+    TexelLight<2> sum;
+    sum.fill(Rgb(0, 0, 0));
     float sum_of_weights = 0;
     for_blocks(face, place, [&](Node node, float weight) {
         const StoredBlock block = block_of(face, node);
         if (weight <= 0 || block.normal.dot(own) <= common::same_surface_cosine) return;
         sum_of_weights += weight;
         if (block.kind == BlockKind::dark) return;
-        const TexelLight<2> series =
-            block.kind == BlockKind::flat
-                ? constant_series(rgb_of(block.number))
-                : with_directional_basis(block.kind, [&](auto basis) {
-                      return series_of(basis, block.numbers<decltype(basis)>(), block.normal);
-                  });
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += series[i] * weight;
+        const TexelLight<2> moments = with_basis(block.kind, [&](auto basis) {
+            return moments_of(basis, block.numbers<decltype(basis)>(), block.normal);
+        });
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += moments[i] * weight;
     });
     for (Rgb& coefficient : sum) coefficient *= unit_ / sum_of_weights;
     return FaceLight{own, sum};

@@ -37,8 +37,8 @@ class AdaptiveMap {
 
     /// What the map shows at one place, for all normals.
     struct FaceLight {
-        common::Vec3 normal;      ///< of the block that the place lies in
-        TexelLight<2> by_normal;  ///< W/m^2: what `irradiance` mixes, each block as its series_of
+        common::Vec3 normal;    ///< of the block that the place lies in
+        TexelLight<2> moments;  ///< W/m^2, as HemisphereFit<2> keeps them: each block as its moments_of
     };
 
     /// Returns the light at a place, whatever the normals of its triangles; nothing if its block has no

@@ -28,9 +28,8 @@ Kept cheapest(const BlockCosts& costs, bool with_normals, double byte_price) {
 /// Descends to the blocks that stay whole, and decides on the way back.
 class Choosing {
   public:
-    Choosing(const LightPyramid& pyramid, std::span<const BlockCosts> costs, bool with_normals,
-             double byte_price)
-        : pyramid_(pyramid), costs_(costs), with_normals_(with_normals), byte_price_(byte_price) {
+    Choosing(const LightPyramid& pyramid, std::span<const BlockCosts> costs, double byte_price)
+        : pyramid_(pyramid), costs_(costs), byte_price_(byte_price) {
         choice_.of_block.resize(costs.size());
         choice_.error_sq = visit(pyramid.levels() - 1, 0, 0).error_sq;
     }
@@ -42,7 +41,7 @@ class Choosing {
         const LightBlock& block = pyramid_.block(level, x, y);
         if (block.surface.area == 0) return {};  // uncovered, and costs nothing
         const std::size_t b = pyramid_.index(level, x, y);
-        const Kept kept = cheapest(costs_[b], with_normals_, byte_price_);
+        const Kept kept = cheapest(costs_[b], !pyramid_.is_flat(), byte_price_);
         choice_.of_block[b] = static_cast<std::uint8_t>(kept.kind);
         if (level == 0 || stays_whole(block)) return kept.cost;
         Cost division{0, bytes_of_division};
@@ -58,7 +57,6 @@ class Choosing {
 
     const LightPyramid& pyramid_;
     std::span<const BlockCosts> costs_;
-    bool with_normals_;
     double byte_price_;
     BlockChoice choice_;
 };
@@ -68,13 +66,11 @@ class Choosing {
 double bytes_of(BlockKind kind, bool with_normal) {
     constexpr double half_bytes = 2, normal_bytes = 4;
     if (kind == BlockKind::uncovered) return 0;
-    return half_bytes * static_cast<double>(block_numbers[static_cast<std::size_t>(kind)]) +
-           (with_normal ? normal_bytes : 0);
+    return half_bytes * static_cast<double>(block_numbers(kind)) + (with_normal ? normal_bytes : 0);
 }
 
-BlockChoice choose_blocks(const LightPyramid& pyramid, std::span<const BlockCosts> costs, bool with_normals,
-                          double byte_price) {
-    return Choosing(pyramid, costs, with_normals, byte_price).take();
+BlockChoice choose_blocks(const LightPyramid& pyramid, std::span<const BlockCosts> costs, double byte_price) {
+    return Choosing(pyramid, costs, byte_price).take();
 }
 
 }  // namespace shlm

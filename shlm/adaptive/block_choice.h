@@ -22,6 +22,6 @@ inline constexpr double bytes_of_division = 16;
 /// together cost less (Breiman et al., "Classification and Regression Trees", 1984, ch. 3). `byte_price` is
 /// in units of the error, per byte.
 [[nodiscard]] BlockChoice choose_blocks(const LightPyramid& pyramid, std::span<const BlockCosts> costs,
-                                        bool with_normals, double byte_price);
+                                        double byte_price);
 
 }  // namespace shlm

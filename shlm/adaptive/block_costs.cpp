@@ -13,15 +13,22 @@ using common::Vec3;
 /// The smallest block around a texel with this many hits determines how bright it is there.
 constexpr double hits_to_know = 100;
 
-/// Relative variance that one hit of uniform light adds to (irradiance of a normal - that of the surface),
-/// divided by the squared sine of the angle between the two: 2.7 for order 2 and 2.1 for H4. Estimated by
-/// Monte Carlo over hits with cosine density, with the kernels as in largest_surface_share divided by the
-/// cosine. Accurate to a tenth up to 60 degrees. A basis with one shape for all channels has the same
-/// variance, as all channels come with the same hits. That of AD is assumed to be that of H4.
-constexpr float order_2_noise = 2.7f, h4_noise = 2.1f;
-
-constexpr std::array<float, block_kinds> direction_noise = {
-    0, 0, 0, h4_noise, h4_noise, order_2_noise, order_2_noise};
+/// What one hit of uniform light adds, divided by the squared sine of the angle between a normal and the
+/// surface's: to the relative variance of (irradiance of the normal - that of the surface), and to the mean
+/// squared relative difference of that irradiance from F2's. Integrated over hits with cosine density, whose
+/// inverse cosine is clamped at 1000; AD by Monte Carlo. Accurate to a fifth from 15 to 60 degrees. YF2 has
+/// the noise of F2, as all channels come with the same hits.
+struct DirectionNoise {
+    double of_irradiance, of_difference;
+};
+constexpr double f2_noise = 4.0;
+constexpr std::array<DirectionNoise, block_kinds> direction_noise = {{{0, 0},           // uncovered
+                                                                      {0, 0},           // dark
+                                                                      {0, f2_noise},    // F0
+                                                                      {4.5, 0.5},       // AD
+                                                                      {f2_noise, 0},    // YF2
+                                                                      {5.0, 0.4},       // F1
+                                                                      {f2_noise, 0}}};  // F2
 
 /// A mean of n squares is distinguished from noise if it exceeds the expected noise by this many standard
 /// deviations. For normally distributed numbers its relative standard deviation is sqrt(2 / n).
@@ -35,7 +42,7 @@ double beyond_noise(double found, double expected, double squares) {
     return found > largest ? found - expected : 0;
 }
 
-/// Degrees of freedom of the noise over directions: about the coefficients of H4 other than its constant.
+/// Degrees of freedom of the noise over directions: about the coefficients of F1 other than its constant.
 constexpr double direction_squares = 3;
 
 /// The light and the density of hits around a texel.
@@ -65,6 +72,10 @@ class CostsOfFace {
   public:
     CostsOfFace(const LightPyramid& pyramid, const NormalsInUse& normals, const LightStatistics& statistics)
         : pyramid_(pyramid), normals_(normals), statistics_(statistics), costs_(pyramid.block_count()) {
+        for (const Vec3& bent : normals.bent) {
+            const float sine = std::sqrt(std::max(1 - bent.z * bent.z, 0.0f));
+            bent_.push_back({bent, {bent.z, sine}, {bent.z, sine}, {}, {}, {}, {}});
+        }
         (void)visit(pyramid.levels() - 1, 0, 0, {}, true);
     }
 
@@ -113,7 +124,7 @@ class CostsOfFace {
     void set_errors(const LightBlock& block, const Neighbourhood& around, const SquareSums& sums,
                     BlockCosts& costs) {
         const BlockLight light = block.light();
-        answer_by_order_2(light, block.surface.unit_normal());
+        answer_by_f2(light, block.surface.unit_normal());
         double dark = 0, by_space = 0, noise = 0, relative_light = 0;
         for (std::size_t c = 0; c < 3; ++c) {
             const double e = light.surface[static_cast<int>(c)];
@@ -129,43 +140,44 @@ class CostsOfFace {
         };
         set(BlockKind::dark, dark);
         const double direction = relative_light * noise_of(block.surface.area, around) * normals_.sine_sq();
-        for (std::size_t k = static_cast<std::size_t>(BlockKind::flat); k < block_kinds; ++k) {
+        for (std::size_t k = static_cast<std::size_t>(BlockKind::F0); k < block_kinds; ++k) {
             const auto kind = static_cast<BlockKind>(k);
             double left_out = 0;
-            if (!normals_.bent.empty() && kind != BlockKind::L2)
+            if (!bent_.empty() && kind != BlockKind::F2)
                 left_out = beyond_noise(left_out_by(kind, light, block.surface.unit_normal(), sums),
-                                        direction * (order_2_noise - direction_noise[k]), direction_squares);
-            set(kind, by_space + noise + left_out + direction * direction_noise[k]);
+                                        direction * direction_noise[k].of_difference, direction_squares);
+            set(kind, by_space + noise + left_out + direction * direction_noise[k].of_irradiance);
         }
     }
 
-    /// Evaluates order 2 for all normals in use.
-    void answer_by_order_2(const BlockLight& light, const Vec3& face_normal) {
+    /// Turns the normals in use to the block and evaluates F2 for them.
+    void answer_by_f2(const BlockLight& light, const Vec3& face_normal) {
+        if (bent_.empty()) return;
         const common::Frame frame(face_normal);
-        bent_.clear();
-        for (const Vec3& bent : normals_.bent) {
-            const Vec3 normal = frame.to_world(bent);
-            bent_.push_back({normal, evaluate_series<2>(light.by_normal, evaluate_sh<2>(normal))});
+        const auto numbers = numbers_of<HemisphereFit<2>>(light, face_normal);
+        for (Bent& bent : bent_) {
+            bent.normal = frame.to_world(bent.in_frame);
+            const BlockFace face{pyramid_.is_flat(), face_normal};
+            bent.factors_1 = block_factors<1>(face, bent.normal, [&] {
+                return fitted_factors<1>(bent.cosine_1.of(face_normal, bent.normal));
+            });
+            bent.factors_2 = block_factors<2>(face, bent.normal, [&] {
+                return fitted_factors<2>(bent.cosine_2.of(face_normal, bent.normal));
+            });
+            bent.by_f2 = HemisphereFit<2>::irradiance(numbers, bent.factors_2);
         }
     }
 
-    /// Returns the mean squared difference from order 2 over the normals in use, weighted as
-    /// SquareSums::weight.
+    /// Returns the mean squared difference from F2 over the normals in use, weighted as SquareSums::weight.
     [[nodiscard]] double left_out_by(BlockKind kind, const BlockLight& light, const Vec3& face_normal,
                                      const SquareSums& sums) const {
-        const auto mean_square = [&](auto kept) {
+        return with_basis(kind, [&](auto basis) {
+            using B = decltype(basis);
+            const auto numbers = numbers_of<B>(light, face_normal);
             double error_sq = 0;
             for (const Bent& bent : bent_)
-                error_sq += weighted_square(kept(bent.normal) - bent.order_2, sums);
+                error_sq += weighted_square(irradiance<B>(numbers, face_normal, bent) - bent.by_f2, sums);
             return error_sq / static_cast<double>(bent_.size());
-        };
-        if (kind == BlockKind::flat) return mean_square([&](const Vec3&) { return light.surface; });
-        return with_directional_basis(kind, [&](auto basis) {
-            using Basis = decltype(basis);
-            const auto numbers = numbers_of<Basis>(light, face_normal);
-            return mean_square([&](const Vec3& normal) {
-                return Basis::irradiance(numbers, face_normal, typename Basis::Question(normal));
-            });
         });
     }
 
@@ -182,11 +194,35 @@ class CostsOfFace {
     const LightStatistics& statistics_;
     std::vector<BlockCosts> costs_;
 
+    /// One of the normals in use.
     struct Bent {
+        Vec3 in_frame;
+        FittedClampedCosine<1> cosine_1;
+        FittedClampedCosine<2> cosine_2;
+        // For the block whose errors are set:
         Vec3 normal;
-        Rgb order_2;  ///< irradiance
+        ShValues<1> factors_1;
+        ShValues<2> factors_2;
+        Rgb by_f2;  ///< irradiance
+
+        template <int Order>
+        [[nodiscard]] const ShValues<Order>& factors() const {
+            if constexpr (Order == 1)
+                return factors_1;
+            else
+                return factors_2;
+        }
     };
-    std::vector<Bent> bent_;  ///< for the block whose errors are set
+    std::vector<Bent> bent_;
+
+    template <class B>
+    [[nodiscard]] static Rgb irradiance(const typename B::Numbers& numbers, const Vec3& face_normal,
+                                        const Bent& bent) {
+        if constexpr (HasFactors<B>)
+            return B::irradiance(numbers, bent.factors<B::order>());
+        else
+            return B::irradiance(numbers, face_normal, typename B::Question(bent.normal));
+    }
 };
 
 /// Let n hits fall on parts at random, and let v be the relative variance of a hit's light. Then n times the

@@ -32,8 +32,8 @@ struct LightStatistics {
 /// their entries are never read and remain zero.
 ///
 /// The error of a kept block has three parts. The spatial error is the variation of its texels beyond the
-/// expected noise. The directional error, for the normals in use, is the difference of the basis from the
-/// series of order 2, less the noise of order 2 in that difference. The third part is the noise of the
+/// expected noise. The directional error, for the normals in use, is the difference of the basis from
+/// F2, less the noise in that difference. The third part is the noise of the
 /// block's own hits. Light that cannot be distinguished from noise counts as no error; if it is kept, it
 /// costs its noise.
 [[nodiscard]] std::vector<BlockCosts> block_costs(const LightPyramid& pyramid, const NormalsInUse& normals,

@@ -24,21 +24,12 @@ class BlockSearch {
     /// Returns one pyramid for each face of the layout.
     [[nodiscard]] std::span<const LightPyramid> pyramids() const { return pyramid_; }
 
-    /// Returns whether all texels' normals of the face are within a degree: then its blocks keep none of
-    /// their own.
-    [[nodiscard]] bool is_flat(std::size_t face) const { return face_[face].flat; }
-
   private:
-    struct Face {
-        std::vector<BlockCosts> costs;
-        bool flat = false;
-    };
-
     [[nodiscard]] MapBlocks choose_all(double byte_price) const;
 
     std::vector<LightPyramid> pyramid_;
-    std::vector<Face> face_;  ///< in the order of the pyramids
-    double area_ = 0;         ///< of all, world units squared
+    std::vector<std::vector<BlockCosts>> costs_;  ///< in the order of the pyramids
+    double area_ = 0;                             ///< of all, world units squared
 };
 
 }  // namespace shlm

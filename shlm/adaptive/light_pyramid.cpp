@@ -45,6 +45,14 @@ LightPyramid::LightPyramid(const TexelSums<AdaptiveModel>& sums, const PreparedT
             {width, height, block_count(), std::vector<LightBlock>(std::size_t{width} * height)});
         join(level_.size() - 1, width_of_texel);
     }
+    is_flat_ = has_one_normal();
+}
+
+bool LightPyramid::has_one_normal() const {
+    const common::Vec3 mean = largest_block().surface.unit_normal();
+    return std::all_of(level_[0].block.begin(), level_[0].block.end(), [&](const LightBlock& texel) {
+        return texel.surface.area == 0 || texel.surface.unit_normal().dot(mean) >= straight_cosine;
+    });
 }
 
 void LightPyramid::join(std::size_t level, double width_of_texel) {

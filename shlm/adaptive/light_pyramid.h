@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "shlm/adaptive/light_ladder.h"
+#include "shlm/adaptive/block_kind.h"
 #include "shlm/layout/block_surface.h"
 #include "shlm/layout/prepared_texels.h"
 #include "shlm/sums/texel_sums.h"
@@ -34,6 +34,9 @@ class LightPyramid {
                  const RegionFace& face);
 
     [[nodiscard]] const RegionFace& face() const { return face_; }
+
+    /// Returns whether all texels' normals are within a degree of their mean.
+    [[nodiscard]] bool is_flat() const { return is_flat_; }
 
     /// Level 0 has a block for each texel, the last level has one.
     [[nodiscard]] std::size_t levels() const { return level_.size(); }
@@ -72,7 +75,10 @@ class LightPyramid {
 
     void join(std::size_t level, double width_of_texel);
 
+    [[nodiscard]] bool has_one_normal() const;
+
     RegionFace face_{};
+    bool is_flat_ = false;
     std::vector<Level> level_;
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shlm/basis/basis.h"
-#include "shlm/basis/quadratic_light.h"
+#include "shlm/basis/light_channels.h"
 
 namespace shlm {
 

@@ -35,8 +35,9 @@ struct DirectionPolynomial {
     }
 };
 
-/// Returns the best approximation of max(w . normal, 0) by harmonics up to `Order`: least squares over the
-/// directions w with w . surface_normal >= 0, uniformly weighted. Both normals are unit.
+/// The best approximation of max(w . normal, 0) by harmonics up to `Order`: least squares over the directions
+/// w with w . surface_normal >= 0, uniformly weighted. This holds what depends on the angle between the two
+/// normals alone; `of` is asked with the normals themselves.
 ///
 /// Irradiance is the integral of radiance times the clamped cosine, and no radiance comes from below the
 /// surface. So this polynomial's integral with the radiance, which the summed moments contain, is the
@@ -54,41 +55,68 @@ struct DirectionPolynomial {
 /// {1, z, (3 z^2 - 1) / 2}, {x, x z}, {x^2 - y^2} for order 2, applied to these. All of them are 0 for the
 /// surface's own normal, whose irradiance is therefore exact for every light.
 template <int Order>
-requires(Order == 1 || Order == 2) [[nodiscard]] inline DirectionPolynomial
-    fitted_clamped_cosine(const common::Vec3& surface_normal, const common::Vec3& normal) {
-    constexpr float pi = std::numbers::pi_v<float>;
-    const common::Vec3& n = surface_normal;
-    const float c = n.dot(normal);
-    const common::Vec3 t = normal - n * c;
-    const float s_sq = t.dot(t), s = std::sqrt(s_sq);
-    const float beta = std::atan2(s, c);
-    const float e = c > 0 ? s_sq / (1 + c) : 1 - c;  // 1 - c without its cancellation
-    const float g = 2 / (3 * pi) * (s - beta * c);   // the integral of r z, divided by pi
+requires(Order == 1 || Order == 2) class FittedClampedCosine {
+  public:
+    /// `cosine` and `sine` are those of the angle between the normals, from 0 to pi.
+    FittedClampedCosine(float cosine, float sine) : cosine_(cosine) {
+        constexpr float pi = std::numbers::pi_v<float>;
+        const float s_sq = sine * sine;
+        const float beta = std::atan2(sine, cosine);
+        const float e = cosine > 0 ? s_sq / (1 + cosine) : 1 - cosine;  // 1 - c without its cancellation
+        const float g = 2 / (3 * pi) * (sine - beta * cosine);          // the integral of r z, divided by pi
+        if constexpr (Order == 1) {
+            constant_ = e - 3 * g;
+            by_surface_ = 6 * g - 1.5f * e;
+            by_tilt_ = -beta / pi;
+        } else {
+            constant_ = (4.75f + 5.625f * e) * e - 48 * g;
+            by_surface_ = 96 * g - (9 + 11.25f * e) * e;
+            by_tilt_ = (22.5f * e - 64 / pi * beta) / 19;
+            const float along = (5 + 7.5f * e) * e - 60 * g;       // of (3 z^2 - 1) / 2
+            const float across = (120 / pi * beta - 60 * e) / 19;  // of x z, divided by s
+            constexpr float around = 15.0f / 64;                   // of x^2 - y^2, divided by s^2
+            surface_surface_ = 1.5f * along + around * s_sq;
+            surface_tilt_ = across / 2;
+            tilt_tilt_ = 2 * around;
+            diagonal_ = along / 2 + around * s_sq;
+        }
+    }
 
-    DirectionPolynomial fit;
-    if constexpr (Order == 1) {
-        fit.constant = e - 3 * g;
-        fit.linear = normal + n * (6 * g - 1.5f * e) - t * (beta / pi);
+    /// Returns the polynomial. Both normals are unit, and at that angle.
+    [[nodiscard]] DirectionPolynomial of(const common::Vec3& surface_normal,
+                                         const common::Vec3& normal) const {
+        const common::Vec3 &n = surface_normal, t = normal - n * cosine_;
+        DirectionPolynomial fit;
+        fit.constant = constant_;
+        fit.linear = normal + n * by_surface_ + t * by_tilt_;
+        if constexpr (Order == 2) {
+            // S = nn N N^T + nt (N t^T + t N^T) + tt t t^T - diagonal I, as y y^T = I - N N^T - x x^T.
+            const auto entry = [&](int i, int j) {
+                return surface_surface_ * n[i] * n[j] + surface_tilt_ * (n[i] * t[j] + t[i] * n[j]) +
+                       tilt_tilt_ * t[i] * t[j];
+            };
+            fit.xx = entry(0, 0) - diagonal_;
+            fit.yy = entry(1, 1) - diagonal_;
+            fit.zz = entry(2, 2) - diagonal_;
+            fit.xy = entry(0, 1);
+            fit.yz = entry(1, 2);
+            fit.xz = entry(0, 2);
+        }
         return fit;
     }
-    fit.constant = (4.75f + 5.625f * e) * e - 48 * g;
-    fit.linear = normal + n * (96 * g - (9 + 11.25f * e) * e) + t * ((22.5f * e - 64 / pi * beta) / 19);
-    const float along = (5 + 7.5f * e) * e - 60 * g;       // of (3 z^2 - 1) / 2
-    const float across = (120 / pi * beta - 60 * e) / 19;  // of x z, divided by s
-    constexpr float around = 15.0f / 64;                   // of x^2 - y^2, divided by s^2
-    // S = nn N N^T + nt (N t^T + t N^T) + tt t t^T - diagonal I, as y y^T = I - N N^T - x x^T.
-    const float nn = 1.5f * along + around * s_sq, nt = across / 2, tt = 2 * around;
-    const float diagonal = along / 2 + around * s_sq;
-    const auto entry = [&](int i, int j) {
-        return nn * n[i] * n[j] + nt * (n[i] * t[j] + t[i] * n[j]) + tt * t[i] * t[j];
-    };
-    fit.xx = entry(0, 0) - diagonal;
-    fit.yy = entry(1, 1) - diagonal;
-    fit.zz = entry(2, 2) - diagonal;
-    fit.xy = entry(0, 1);
-    fit.yz = entry(1, 2);
-    fit.xz = entry(0, 2);
-    return fit;
+
+  private:
+    float cosine_, constant_, by_surface_, by_tilt_;
+    float surface_surface_ = 0, surface_tilt_ = 0, tilt_tilt_ = 0, diagonal_ = 0;
+};
+
+/// Returns that approximation for two unit normals.
+template <int Order>
+[[nodiscard]] DirectionPolynomial fitted_clamped_cosine(const common::Vec3& surface_normal,
+                                                        const common::Vec3& normal) {
+    const float cosine = surface_normal.dot(normal);
+    const float sine = (normal - surface_normal * cosine).length();
+    return FittedClampedCosine<Order>(cosine, sine).of(surface_normal, normal);
 }
 
 }  // namespace shlm

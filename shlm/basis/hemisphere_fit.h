@@ -6,14 +6,18 @@
 
 namespace shlm {
 
-/// Returns what to multiply coefficients of irradiance by (TexelLight) to get the irradiance of the fit.
+/// Returns what to multiply coefficients of irradiance by (TexelLight) to get the irradiance of the fit, from
+/// the clamped cosine as it is fitted.
+template <int Order>
+[[nodiscard]] inline ShValues<Order> fitted_factors(const DirectionPolynomial& clamped_cosine) {
+    ShValues<Order> factors = clamped_cosine.harmonics<Order>();
+    for (std::size_t i = 0; i < factors.size(); ++i) factors[i] /= cosine_factors<Order>[i];
+    return factors;
+}
 template <int Order>
 [[nodiscard]] inline ShValues<Order> fitted_factors(const common::Vec3& face_normal,
                                                     const common::Vec3& shading_normal) {
-    ShValues<Order> factors =
-        fitted_clamped_cosine<Order>(face_normal, shading_normal).template harmonics<Order>();
-    for (std::size_t i = 0; i < factors.size(); ++i) factors[i] /= cosine_factors<Order>[i];
-    return factors;
+    return fitted_factors<Order>(fitted_clamped_cosine<Order>(face_normal, shading_normal));
 }
 
 /// Keeps the same numbers as Harmonics of that order. Light from below the surface is known to be zero, which
@@ -47,7 +51,11 @@ struct HemisphereFit {
 
     [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3& face_normal,
                                                 const Question& question) {
-        const ShValues<Order> factors = fitted_factors<Order>(face_normal, question.normal);
+        return irradiance(numbers, fitted_factors<Order>(face_normal, question.normal));
+    }
+
+    /// As above, with the factors of the two normals.
+    [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const ShValues<Order>& factors) {
         common::Rgb sum(0, 0, 0);
         for (std::size_t i = 0; i < factors.size(); ++i) sum += rgb_at(numbers, 3 * i) * factors[i];
         return sum;

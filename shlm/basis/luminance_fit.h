@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shlm/basis/hemisphere_fit.h"
-#include "shlm/basis/quadratic_light.h"
+#include "shlm/basis/light_channels.h"
 
 namespace shlm {
 
@@ -42,11 +42,20 @@ struct LuminanceFit {
 
     [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const common::Vec3& face_normal,
                                                 const Question& question) {
-        const ShValues<Order> factors = fitted_factors<Order>(face_normal, question.normal);
+        return irradiance(numbers, fitted_factors<Order>(face_normal, question.normal));
+    }
+
+    /// As above, with the factors of the two normals.
+    [[nodiscard]] static common::Rgb irradiance(const Numbers& numbers, const ShValues<Order>& factors) {
         float mean = 0;
         for (std::size_t i = 0; i < light_numbers; ++i) mean += numbers[i] * factors[i];
+        return colour(numbers) * mean;
+    }
+
+    /// Returns what the mean of the channels is multiplied by; the mean of the colour's channels is 1.
+    [[nodiscard]] static common::Rgb colour(const Numbers& numbers) {
         const float red = numbers[light_numbers], green = numbers[light_numbers + 1];
-        return common::Rgb(red, green, std::max(3 - red - green, 0.0f)) * mean;
+        return {red, green, std::max(3 - red - green, 0.0f)};
     }
 };
 

@@ -28,7 +28,7 @@ std::string complaint(const std::string& name) {
 
 TEST(ContenderName, TakesDefaultsForWhatIsLeftOut) {
     EXPECT_EQ(full_name("shlm"), "shlm/L2/radiance/surface4");
-    EXPECT_EQ(full_name("shlm/L1"), "shlm/L1/radiance/surface4");
+    EXPECT_EQ(full_name("shlm/F1"), "shlm/F1/radiance/surface4");
     EXPECT_EQ(full_name("shlm/L2/flux"), "shlm/L2/flux/surface4");
     EXPECT_EQ(full_name("photonmap"), "photonmap/flann/k50/disc");
     EXPECT_EQ(full_name("photonmap/flann-incremental"), "photonmap/flann-incremental/k50/disc");
@@ -41,8 +41,8 @@ TEST(ContenderName, StaysAsItIsWhereItIsFull) {
     for (const char* name :
          {"shlm/L0/normalised/own", "shlm/L4/radiance/bilinear", "shlm/L2/radiance/knn8/t65536",
           "shlm/L2/radiance/surface8/t65536", "shlm/L2/radiance/own/h0", "shlm/L2/radiance/bilinear/t64/h28",
-          "shlm/L2/radiance/knn4/face", "shlm/L2/radiance/knn4/uv/t64/h0", "shlm/H4/radiance/own",
-          "shlm/YL2/radiance/own/half", "shlm/a2.5/normalised/own/face/t64", "shlm/a2/normalised/bilinear",
+          "shlm/L2/radiance/knn4/face", "shlm/L2/radiance/knn4/uv/t64/h0", "shlm/F1/radiance/own",
+          "shlm/YF2/radiance/own/half", "shlm/a2.5/normalised/own/face/t64", "shlm/a2/normalised/bilinear",
           "shlm/L0/normalised/own/uv/t64/h0/half", "photonmap/flann/k200/cone",
           "photonmap/flann/k0.05n23/epanechnikov", "photonmap/flann/r0.003/disc",
           "photonmap/nanoflann/k0.05n23/cone", "photonmap/compact/k50/cone", "photonmap/grid/r0.01/cone"})
@@ -50,10 +50,10 @@ TEST(ContenderName, StaysAsItIsWhereItIsFull) {
 }
 
 TEST(ContenderName, SaysWhatAContenderIs) {
-    const bench::Contender light_map = bench::parse_contender("", "shlm/L1/normalised/knn8/t4096");
+    const bench::Contender light_map = bench::parse_contender("", "shlm/L4/normalised/knn8/t4096");
     ASSERT_NE(light_map.light_map(), nullptr);
     const bench::TexelSetting& setting = light_map.light_map()->setting();
-    EXPECT_EQ(setting.basis->name, "L1");
+    EXPECT_EQ(setting.basis->name, "L4");
     EXPECT_EQ(setting.weight, shlm::ShWeight::normalised);
     EXPECT_EQ(std::get<shlm::NearestTexels>(setting.gather).count, 8u);
     EXPECT_EQ(setting.texels, 4096u);
@@ -117,7 +117,7 @@ TEST(Families, ListWhatTheyHaveByNamesOfTheirOwn) {
             EXPECT_TRUE(styles.emplace(style.colour, style.marker).second) << contender.name;
         }
     }
-    EXPECT_EQ(styles.size(), 5u + 13u);
+    EXPECT_EQ(styles.size(), 5u + 10u);
 }
 
 TEST(ContenderName, OneStoreServesContendersThatAskItDifferently) {
@@ -125,7 +125,7 @@ TEST(ContenderName, OneStoreServesContendersThatAskItDifferently) {
         return bench::share_store(bench::parse_contender("", a), bench::parse_contender("", b));
     };
     EXPECT_TRUE(alike("shlm/L2/radiance/knn4", "shlm/L2/radiance/own"));
-    EXPECT_FALSE(alike("shlm/L2/radiance/knn4", "shlm/L1/radiance/knn4"));
+    EXPECT_FALSE(alike("shlm/L2/radiance/knn4", "shlm/F1/radiance/knn4"));
     EXPECT_FALSE(alike("shlm/L2/radiance/knn4", "shlm/L2/flux/knn4"));
     EXPECT_FALSE(alike("shlm/L2/radiance/knn4", "shlm/L2/radiance/knn4/t64"));
     EXPECT_FALSE(alike("shlm/L2/radiance/knn4", "shlm/L2/radiance/knn4/face"));
@@ -142,7 +142,7 @@ TEST(ContenderName, EveryComplaintNamesTheOptionAndTheChoices) {
     for (const auto& [name, words] : std::initializer_list<std::pair<const char*, std::vector<const char*>>>{
              {"", {"shlm", "photonmap"}},
              {"oak", {"'oak'", "shlm", "photonmap"}},
-             {"shlm/L3", {"'L3'", "L0", "L1", "L2", "L4"}},
+             {"shlm/L3", {"'L3'", "L0", "L2", "L4", "F2"}},
              {"shlm/L2/power", {"'power'", "radiance", "flux", "normalised"}},
              {"shlm/L2/radiance/knn0", {"'knn0'", "own", "bilinear", "surfaceK", "knnK"}},
              {"shlm/L2/radiance/knn4x", {"'knn4x'"}},
@@ -152,7 +152,7 @@ TEST(ContenderName, EveryComplaintNamesTheOptionAndTheChoices) {
              {"shlm/L2/radiance/own/t64/", {"''", "h0"}},
              {"shlm/L2/radiance/own/h-1", {"'h-1'", "h0"}},
              {"shlm/L2/radiance/own/h50/t64", {"'t64'", "in this order"}},
-             {"shlm/H4/flux", {"'flux'", "radiance, the only weight that H4 has"}},
+             {"shlm/F2/flux", {"'flux'", "radiance, the only weight that F2 has"}},
              {"shlm/a0", {"'a0'", "L2"}},
              {"shlm/a2/radiance", {"'radiance'", "normalised"}},
              {"shlm/a2/normalised/knn4", {"'knn4'", "bilinear or own"}},

@@ -7,8 +7,6 @@
 #include "bench/experiments/bases/basis_error.h"
 #include "bench/experiments/bases/directions.h"
 #include "shlm/basis/ambient_and_direction.h"
-#include "shlm/basis/hemisphere_four.h"
-#include "shlm/basis/luminance_nine.h"
 
 namespace {
 
@@ -34,86 +32,9 @@ Vec3 any_direction(std::mt19937& engine) {
     return Vec3(normal(engine), normal(engine), normal(engine)).normalized();
 }
 
-/// Returns a series that is equal in all channels.
-TexelLight<2> grey(TexelLight<2> light) {
-    for (Rgb& coefficient : light) coefficient = Rgb(1, 1, 1) * common::mean_component(coefficient);
-    return light;
-}
-
 template <class Basis>
 Rgb irradiance(const typename Basis::Numbers& numbers, const Vec3& face_normal, const Vec3& normal) {
     return Basis::irradiance(numbers, face_normal, typename Basis::Question(normal));
-}
-
-double series(const TexelLight<2>& light, const Vec3& normal) {
-    return shlm::evaluate_series<2>(light, shlm::evaluate_sh<2>(normal)).x;
-}
-
-TEST(QuadraticLight, IsTheSeriesMultipliedOut) {
-    std::mt19937 engine(seed);
-    for (int i = 0; i < 100; ++i) {
-        const TexelLight<2> light = any_light(engine);
-        const Vec3 normal = any_direction(engine);
-        EXPECT_NEAR(shlm::quadratic_light(shlm::channel_of(light, 0)).at(normal), series(light, normal),
-                    1e-5);
-    }
-}
-
-/// The error of a least squares fit is orthogonal to all functions that were fitted.
-template <class Basis>
-void expect_least_squares(std::size_t functions) {
-    std::mt19937 engine(seed);
-    const std::vector<Vec3> hemisphere = directions_in_cap(20000, 0);
-    for (int i = 0; i < 20; ++i) {
-        const TexelLight<2> light = any_light(engine);
-        const Vec3 face_normal = any_direction(engine);
-        const common::Frame frame(face_normal);
-        const auto numbers = Basis::numbers_of(light, face_normal);
-        std::array<double, 6> products{};
-        for (const Vec3& d : hemisphere) {
-            const Vec3 normal = frame.to_world(d);
-            const double left = irradiance<Basis>(numbers, face_normal, normal).x - series(light, normal);
-            const double with[] = {1, d.x, d.y, d.z, d.x * d.y, d.x * d.x - d.y * d.y};
-            for (std::size_t f = 0; f < functions; ++f)
-                products[f] += left * with[f] / static_cast<double>(hemisphere.size());
-        }
-        // Integrals of such polynomials over 20000 directions are accurate to 1e-3.
-        for (const double product : products) EXPECT_NEAR(product, 0, 3e-3);
-    }
-}
-
-TEST(HemisphereFour, IsTheLeastSquaresFitOverTheHemisphere) {
-    expect_least_squares<shlm::HemisphereFour>(4);
-}
-
-TEST(LuminanceNine, IsOrder2WhereTheLightHasOneColour) {
-    std::mt19937 engine(seed);
-    for (int i = 0; i < 100; ++i) {
-        const TexelLight<2> light = grey(any_light(engine));
-        const Vec3 face_normal = any_direction(engine), normal = any_direction(engine);
-        const double own = series(light, face_normal);
-        const auto numbers = shlm::LuminanceNine::numbers_of(light, face_normal);
-        const double found = irradiance<shlm::LuminanceNine>(numbers, face_normal, normal).x;
-        if (own <= 0)
-            EXPECT_NEAR(found, own, 1e-5) << "no light, no shape";
-        else
-            EXPECT_NEAR(found, series(light, normal), 1e-4 * (1 + 1 / own));
-    }
-}
-
-/// The basis keeps the irradiance of each channel at the surface's own normal.
-TEST(LuminanceNine, KeepsTheColourOfTheOwnNormal) {
-    std::mt19937 engine(seed);
-    for (int i = 0; i < 100; ++i) {
-        const TexelLight<2> light = any_light(engine);
-        const Vec3 normal = any_direction(engine);
-        const Rgb expected = shlm::evaluate_series<2>(light, shlm::evaluate_sh<2>(normal));
-        const Rgb nine =
-            irradiance<shlm::LuminanceNine>(shlm::LuminanceNine::numbers_of(light, normal), normal, normal);
-        for (int c = 0; c < 3; ++c) {
-            EXPECT_NEAR(nine[c], expected[c], 1e-5);
-        }
-    }
 }
 
 /// Tests one light, uniform light from above, and both together.

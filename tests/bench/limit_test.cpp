@@ -233,9 +233,9 @@ TEST_F(Limit, ReplaysTheSameRunWithAnyNumberOfThreads) {
 }
 
 TEST_F(Limit, SaysThemAsATable) {
-    const Ended ended = run(small(cornell, {"--shlm", "shlm/L1", "--photonmap", "photonmap/flann"}));
+    const Ended ended = run(small(cornell, {"--shlm", "shlm/F1", "--photonmap", "photonmap/flann"}));
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
-    for (const std::string part : {"Embree alone, single rays", "tracing into shlm/L1/radiance/surface4",
+    for (const std::string part : {"Embree alone, single rays", "tracing into shlm/F1/radiance/surface4",
                                    "tracing into photonmap/flann/k50/disc"})
         EXPECT_NE(ended.out.find(part), std::string::npos) << ended.out;
 }

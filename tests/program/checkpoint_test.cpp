@@ -118,7 +118,7 @@ TEST_F(Checkpoint, PiecesThatAreNoRunAreNotMerged) {
     const std::string overlapping = made("overlap.exr", {"--photons", "100", "--first-photon", "599"});
     const std::string seed = made("seed.exr", {"--photons", "100", "--first-photon", "600", "--seed", "2"});
     const std::string kind =
-        made("kind.exr", {"--photons", "100", "--first-photon", "600", "--method", "shlm/L1"});
+        made("kind.exr", {"--photons", "100", "--first-photon", "600", "--method", "shlm/F1"});
     const std::string out = path("out.exr");
     expect_refusal({"merge", a, after_gap, "--out", out}, {"photons 600 to 699 are missing", after_gap});
     expect_refusal({"merge", a, overlapping, "--out", out}, {"both have photons 599 to 599", overlapping});
@@ -139,7 +139,7 @@ TEST_F(Checkpoint, FilesOfAnotherRunAreRefused) {
     };
     const std::string kept = text_of(file);
     refused({"--seed", "2"}, {file, "seed 1, not 2"});
-    refused({"--method", "shlm/L1"}, {file, "L2/radiance, not L1/radiance"});
+    refused({"--method", "shlm/F1"}, {file, "L2/radiance, not L1/radiance"});
     refused({"--method", "shlm/L2/flux"}, {file, "L2/radiance, not L2/flux"});
     refused({"--method", "shlm/L2/radiance/knn4/t2000"}, {file, "texels 1500, not 2000"});
     refused({"--method", "shlm/L2/radiance/knn4/face"}, {file, "texels 1500, not face,1500"});

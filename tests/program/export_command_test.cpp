@@ -139,7 +139,7 @@ TEST_F(Export, WritesAdaptiveMapsAsTexelsAndSaysWhatThatCosts) {
         expect_success(to_folder(placement, {"--method", "shlm/a10/normalised/bilinear/" + placement}));
         const Json map = json_of(placement + "/lightmap.json")["maps"][0];
         EXPECT_EQ(map["fields"]["basis"], "adaptive");
-        EXPECT_EQ(map["basis"], "L2") << "of the texels";
+        EXPECT_EQ(map["basis"], "F2") << "of the texels";
         const Json& expansion = map["expansion"];
         EXPECT_GT(expansion["bytes_of_texels"].get<int>(), 2 * expansion["bytes_of_map"].get<int>());
         // Distant lights of AD are truncated, and blends are followed by straight lines.

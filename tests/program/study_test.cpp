@@ -175,7 +175,7 @@ TEST_F(Study, ExtendedMeasuresOnlyWhatIsMissing) {
 TEST_F(Study, MeasuresInTurnWhatDoesNotFitIntoMemoryTogether) {
     Request request = {.out = path("out"), .hits = "1000", .seeds = "1"};
     request.methods = {"shlm/L2/radiance/own/t131072", "shlm/L2/normalised/own/t131072",
-                       "shlm/L1/radiance/own/t131072", "photonmap/compact/k50/disc"};
+                       "shlm/F1/radiance/own/t131072", "photonmap/compact/k50/disc"};
     const auto measured = [&](const std::string& folder, const std::string& memory) {
         request.out = path(folder);
         request.more = {"--max-memory", memory};

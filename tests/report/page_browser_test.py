@@ -117,8 +117,8 @@ class Page(unittest.TestCase):
     def test_filters_grey_what_they_should(self):
         self.open()
         self.assertEqual(self.bright("cornell"), {r.number for r in self.rows_of("cornell") if r.method in self.study.best_known})
-        self.browser.click('.chip[data-facet="basis"][data-value="L1"]')
-        passing = lambda method: facts_of(self.study.kinds[method]).get("basis", "L1") == "L1"
+        self.browser.click('.chip[data-facet="basis"][data-value="F1"]')
+        passing = lambda method: facts_of(self.study.kinds[method]).get("basis", "F1") == "F1"
         wanted = {r.number for r in self.rows_of("cornell") if passing(r.method)}
         self.assertEqual(self.bright("cornell"), wanted)
         self.browser.click('.chip[data-facet="family"][data-value="light map"]')
@@ -136,7 +136,7 @@ class Page(unittest.TestCase):
             self.assertEqual(count, sum(facts_of(self.study.kinds[r.method]).get(facet) == value for r in self.study.rows), (facet, value))
 
     def test_csv_has_the_runs_that_are_not_grey(self):
-        self.open("show=all&f.basis=L1&f.family=light+map")
+        self.open("show=all&f.basis=F1&f.family=light+map")
         self.ask("(() => { window.blobs = []; URL.createObjectURL = blob => { blobs.push(blob); return '#'; }; })()")
         self.browser.click("#csv")
         head, *lines = self.ask("blobs[0].text()").strip().split("\n")
@@ -217,7 +217,7 @@ class Page(unittest.TestCase):
         self.assertIn(self.study.rows[int(self.focused()[1:])].method, self.ask("document.getElementById('tip').textContent"))
 
     def test_grey_points_are_passed_over(self):
-        self.open("show=all&f.basis=L1&f.family=light+map")
+        self.open("show=all&f.basis=F1&f.family=light+map")
         self.ask("""document.querySelector('.panel[data-scene="cornell"] .point[tabindex="0"]').focus()""")
         reached = set()
         for _ in self.study.rows:

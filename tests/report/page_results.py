@@ -11,7 +11,7 @@ from report.study.summary import summary
 from study_laws import fixed_k_law, growing_k_law, light_map_law, radius_law
 from synthetic_study import CONTEXT, Law, Plan, write_study
 
-SHLM, SMALL, FLAT, FEWER = "shlm/L2/radiance/surface4", "shlm/L2/radiance/surface4/t16384", "shlm/L0/normalised/surface4", "shlm/L1/radiance/surface4"
+SHLM, SMALL, FLAT, FEWER = "shlm/L2/radiance/surface4", "shlm/L2/radiance/surface4/t16384", "shlm/L0/normalised/surface4", "shlm/F1/radiance/surface4"
 NEAREST, GROWING, RADIUS = REFERENCE_PHOTON_MAP, "photonmap/compact/k0.05n23/cone", "photonmap/compact/r0.01/disc"
 METHODS = {
     SHLM: light_map_law(),

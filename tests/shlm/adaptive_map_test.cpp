@@ -6,7 +6,7 @@
 #include <random>
 
 #include "common/core/threads.h"
-#include "shlm/adaptive/block_series.h"
+#include "shlm/adaptive/block_moments.h"
 #include "tests/support/scene_builder.h"
 #include "tests/support/statistics.h"
 #include "tests/support/texels.h"
@@ -66,7 +66,7 @@ TEST(AdaptiveMap, OneLightOnAFlatFloorIsOneNumber) {
     const auto sums = sums_of(texels, Vec3(0.6f, 0, 0.8f), [](float, float) { return 1000; });
     for (const bool smooth : {false, true}) {
         const AdaptiveMap map = map_of(sums, texels, 0.01, smooth);
-        EXPECT_EQ(count_of(map, BlockKind::flat), 1u);
+        EXPECT_EQ(count_of(map, BlockKind::F0), 1u);
         EXPECT_EQ(std::accumulate(map.blocks().begin(), map.blocks().end(), std::size_t{0}), 1u);
         EXPECT_LT(map.bytes(), 200u) << "two triangles, one block";
         EXPECT_NEAR(map.irradiance(point_at(scene, 0.3f, 0.7f)).x, 1, 1e-3);
@@ -78,7 +78,7 @@ TEST(AdaptiveMap, AnEdgeBetweenTexelsIsDrawnExactly) {
     const PreparedTexels texels = texels_of(scene, 4096);
     const auto sums = sums_of(texels, Vec3(0, 0, 1), [](float x, float) { return x < 0.25f ? 1000 : 0; });
     const AdaptiveMap map = map_of(sums, texels, 0.01, false);
-    EXPECT_EQ(count_of(map, BlockKind::flat), 4u) << "four squares of a quarter's width";
+    EXPECT_EQ(count_of(map, BlockKind::F0), 4u) << "four squares of a quarter's width";
     EXPECT_EQ(count_of(map, BlockKind::dark), 4u + 2u) << "four beside them, then two of half the width";
     for (const float t : {0.1f, 0.6f}) {
         EXPECT_NEAR(map.irradiance(point_at(scene, 0.24f, t)).x, 1, 1e-3);
@@ -91,19 +91,20 @@ TEST(AdaptiveMap, SmoothBlocksMeetHalfWay) {
     const PreparedTexels texels = texels_of(scene, 4);
     const auto sums = sums_of(texels, Vec3(0, 0, 1), [](float x, float) { return x < 0.5f ? 1000 : 3000; });
     const AdaptiveMap map = map_of(sums, texels, 0.001, true);
-    EXPECT_EQ(count_of(map, BlockKind::flat), 4u);
+    EXPECT_EQ(count_of(map, BlockKind::F0), 4u);
     for (const auto& [s, expected] :
          {std::pair{0.1f, 1.0}, {0.25f, 1.0}, {0.5f, 2.0}, {0.625f, 2.5}, {0.9f, 3.0}})
         EXPECT_NEAR(map.irradiance(point_at(scene, s, 0.4f)).x, expected, 0.003) << s;
 }
 
-/// Randomly distributed photons of uniform light of 1 W/m^2; `hits` of them are expected.
+/// Randomly distributed photons of 1 W/m^2; `hits` of them are expected. The light is uniform, or comes the
+/// more from the side the more it leans.
 struct RandomLight {
     Scene scene;
     PreparedTexels texels;
     shlm::TexelSums<AdaptiveModel> sums;
 
-    RandomLight(float bend, std::size_t texel_count, std::size_t hits, unsigned seed)
+    RandomLight(float bend, std::size_t texel_count, std::size_t hits, unsigned seed, float lean = 0)
         : scene(floor_of(plain, bend)),
           texels(texels_of(scene, texel_count)),
           sums(texels.geometry.size(), shlm::Quantum(Rgb(1, 1, 1) / static_cast<float>(hits))) {
@@ -112,13 +113,20 @@ struct RandomLight {
         const int count = std::poisson_distribution(static_cast<double>(hits))(engine);
         for (int i = 0; i < count; ++i) {
             const SurfaceId surface = on_quad(0, uniform(engine), uniform(engine));
-            const Vec3 towards = common::sample_cosine_hemisphere(uniform(engine), uniform(engine));
+            const Vec3 towards =
+                (common::sample_cosine_hemisphere(uniform(engine), uniform(engine)) + Vec3(lean, 0, 0))
+                    .normalized();
             const shlm::TriangleTexels& triangle = texels.layout.triangle(surface.triangle);
             sums.add(shlm::texel_at(triangle, surface.u, surface.v, true), towards,
                      1 / std::max(towards.z, 1e-3f), Rgb(1, 1, 1) / static_cast<float>(hits));
         }
     }
 };
+
+template <shlm::Basis B>
+Rgb shown_by(const typename B::Numbers& numbers, const Vec3& face_normal, const Vec3& normal) {
+    return B::irradiance(numbers, face_normal, typename B::Question(normal));
+}
 
 TEST(AdaptiveMap, ItsLightByNormalIsWhatItShows) {
     const Scene scene = floor_of(plain, 0.4f);
@@ -131,8 +139,8 @@ TEST(AdaptiveMap, ItsLightByNormalIsWhatItShows) {
             sums.add(i, Vec3(0, -0.8f, 0.6f), 1 / 0.6f, Rgb(2, 1, 0.5f) * (texels.geometry[i].area * 1e-3f));
     for (const bool smooth : {false, true}) {
         const AdaptiveMap map = map_of(sums, texels, 0.002, smooth);
-        EXPECT_EQ(count_of(map, BlockKind::AD), 0u) << "which order 2 truncates";
-        EXPECT_GT(count_of(map, BlockKind::L2), 0u);
+        EXPECT_EQ(count_of(map, BlockKind::AD), 0u) << "which F2 smooths";
+        EXPECT_GT(count_of(map, BlockKind::F2), 0u);
         const shlm::TexelPlaces places(texels.layout);
         for (float s = 0.013f; s < 1; s += 0.07f)
             for (float t = 0.017f; t < 1; t += 0.09f) {
@@ -141,8 +149,9 @@ TEST(AdaptiveMap, ItsLightByNormalIsWhatItShows) {
                 ASSERT_TRUE(light);
                 for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(0.6f, 0, 0.8f), Vec3(0, -0.6f, 0.8f)}) {
                     point.shading_normal = normal;
-                    const Rgb series =
-                        shlm::evaluate_series<2>(light->by_normal, shlm::evaluate_sh<2>(normal));
+                    const Rgb series = shown_by<shlm::HemisphereFit<2>>(
+                        shlm::HemisphereFit<2>::numbers_of(light->moments, light->normal), light->normal,
+                        normal);
                     const Rgb shown = map.irradiance(point);
                     for (int c = 0; c < 3; ++c) EXPECT_NEAR(std::max(series[c], 0.0f), shown[c], 2e-4f * 6);
                 }
@@ -157,38 +166,45 @@ TEST(AdaptiveMap, KnowsItsFinestBlock) {
     EXPECT_EQ(map_of(sums, texels, 0.01, true).finest_block(0), 16u) << "a quarter of 64 texels";
 }
 
-/// Returns the largest difference between a basis and its series, over normals, for an own irradiance of 1.
+/// Returns the largest difference between a basis and the fit of order 2 of its moments, over normals.
 template <shlm::Basis B>
-float series_differs(const typename B::Numbers& numbers, const Vec3& normal) {
-    const auto series = shlm::series_of(B{}, numbers, normal);
+float moments_differ(const typename B::Numbers& numbers, const Vec3& normal) {
+    using Fit = shlm::HemisphereFit<2>;
+    const auto moments = Fit::numbers_of(shlm::moments_of(B{}, numbers, normal), normal);
     float largest = 0;
     for (const Vec3& n : {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.6f, 0, 0.8f),
                           Vec3(-0.48f, 0.64f, 0.6f), Vec3(0, 0.8f, -0.6f), normal}) {
-        const Rgb kept = B::irradiance(numbers, normal, typename B::Question(n)),
-                  shown = shlm::evaluate_series<2>(series, shlm::evaluate_sh<2>(n));
+        const Rgb kept = shown_by<B>(numbers, normal, n), shown = shown_by<Fit>(moments, normal, n);
         for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(kept[c] - shown[c]));
     }
     return largest;
 }
 
-TEST(BlockSeries, AreExactButForADistantLight) {
+template <shlm::Basis B>
+float moments_of_light_differ(const shlm::BlockLight& light, const Vec3& normal) {
+    return moments_differ<B>(shlm::numbers_of<B>(light, normal), normal);
+}
+
+TEST(BlockMoments, AreExactButForADistantLight) {
     const Vec3 normal(0.36f, 0.48f, 0.8f);
-    shlm::TexelLight<2> light;
-    for (std::size_t i = 0; i < light.size(); ++i)
-        light[i] = Rgb(0.3f, 0.2f, 0.1f) * std::cos(1.7f * static_cast<float>(i));
-    light[0] = Rgb(3, 2, 1);
+    shlm::BlockLight light{Rgb(3, 2, 1), {}};
+    for (std::size_t i = 0; i < light.by_normal.size(); ++i)
+        light.by_normal[i] = Rgb(0.3f, 0.2f, 0.1f) * std::cos(1.7f * static_cast<float>(i));
+    light.by_normal[0] = Rgb(3, 2, 1);
     using namespace shlm;
-    EXPECT_LT(series_differs<Harmonics<2>>(Harmonics<2>::numbers_of(light, normal), normal), 1e-5f);
-    EXPECT_LT(series_differs<HemisphereFour>(HemisphereFour::numbers_of(light, normal), normal), 1e-5f);
-    EXPECT_LT(series_differs<LuminanceNine>(LuminanceNine::numbers_of(light, normal), normal), 1e-5f);
-    // A distant light alone, and with the sky: 3/32 at a right angle, 1/16 along it.
+    EXPECT_LT(moments_of_light_differ<HemisphereFit<0>>(light, normal), 1e-5f);
+    EXPECT_LT(moments_of_light_differ<HemisphereFit<1>>(light, normal), 1e-5f);
+    EXPECT_LT(moments_of_light_differ<HemisphereFit<2>>(light, normal), 1e-5f);
+    EXPECT_LT(moments_of_light_differ<LuminanceFit<2>>(light, normal), 1e-5f);
+    // A distant light alone, and with the sky. F2 differs most where the light is at a right angle.
     for (const float share : {1.0f, 0.5f}) {
         const Vec3 direct = Vec3(0.6f, 0, 0.8f) * (share / Vec3(0.6f, 0, 0.8f).dot(normal));
         const AmbientAndDirection::Numbers numbers = {1, 1, 1, direct.x, direct.y, direct.z};
-        EXPECT_LT(series_differs<AmbientAndDirection>(numbers, normal),
-                  (3 / 32.0f + 1 / 16.0f) * direct.length());
-        const auto series = series_of(AmbientAndDirection{}, numbers, normal);
-        EXPECT_NEAR(evaluate_series<2>(series, evaluate_sh<2>(normal)).x, 1, 1e-5f) << "its own normal";
+        EXPECT_LT(moments_differ<AmbientAndDirection>(numbers, normal), 0.25f * direct.length());
+        EXPECT_GT(moments_differ<AmbientAndDirection>(numbers, normal), 0.01f * direct.length());
+        const auto moments =
+            HemisphereFit<2>::numbers_of(moments_of(AmbientAndDirection{}, numbers, normal), normal);
+        EXPECT_NEAR(shown_by<HemisphereFit<2>>(moments, normal, normal).x, 1, 1e-5f) << "its own normal";
     }
 }
 
@@ -237,18 +253,22 @@ TEST(AdaptiveMap, BentNormalsNeedDirectionsAndFlatOnesDoNot) {
         return map_of(sums, texels, 0.02, false).blocks();
     };
     const auto flat = kinds_of(0, 1000), bent = kinds_of(0.5f, 1000);
-    EXPECT_EQ(flat[static_cast<std::size_t>(BlockKind::flat)], 1u);
-    EXPECT_EQ(bent[static_cast<std::size_t>(BlockKind::flat)], 0u);
-    EXPECT_EQ(bent[static_cast<std::size_t>(BlockKind::YL2)] + bent[static_cast<std::size_t>(BlockKind::L2)] +
-                  bent[static_cast<std::size_t>(BlockKind::AD)],
+    EXPECT_EQ(flat[static_cast<std::size_t>(BlockKind::F0)], 1u);
+    EXPECT_EQ(bent[static_cast<std::size_t>(BlockKind::F0)], 0u);
+    EXPECT_EQ(bent[static_cast<std::size_t>(BlockKind::AD)] + bent[static_cast<std::size_t>(BlockKind::YF2)] +
+                  bent[static_cast<std::size_t>(BlockKind::F1)] +
+                  bent[static_cast<std::size_t>(BlockKind::F2)],
               1u);
 }
 
 TEST(AdaptiveMap, DirectionsThatNoiseHidesAreNotStored) {
-    const RandomLight few(0.1f, 64, 30, 1), many(0.1f, 64, 300'000, 1);
-    EXPECT_EQ(count_of(map_of(few.sums, few.texels, 0.5, false), BlockKind::flat), 1u);
-    EXPECT_EQ(count_of(map_of(many.sums, many.texels, 0.003, false), BlockKind::flat), 0u)
-        << "under uniform light a normal that is bent by 0.14 has 0.5 % less";
+    const RandomLight few(0.1f, 64, 30, 1, 1), many(0.1f, 64, 300'000, 1, 1);
+    EXPECT_EQ(count_of(map_of(few.sums, few.texels, 0.5, false), BlockKind::F0), 1u);
+    EXPECT_EQ(count_of(map_of(many.sums, many.texels, 0.003, false), BlockKind::F0), 0u)
+        << "a normal that is bent by 0.14 has up to a tenth more or less";
+    const RandomLight uniform(0.1f, 64, 300'000, 1);
+    EXPECT_EQ(count_of(map_of(uniform.sums, uniform.texels, 0.01, false), BlockKind::F0), 1u)
+        << "which F0 has exactly";
 }
 
 TEST(AdaptiveMap, OneSearchMakesMapsOfManyErrors) {

@@ -23,10 +23,10 @@ constexpr const char* definition =
     "at_own_normal: series / truth at the geometric normal, mean. expected_mean and expected_worst: derived "
     "without this code, by quadrature over 60 environments drawn at random: for the means of the point "
     "lights one "
-    "standard error of that is 2.7, 1.1, 0.4 and 0.2 (L0, L1, L2, L4). tests/bench/bases_test.cpp holds them "
+    "standard error of that is 2.7, 0.4 and 0.2 (L0, L2, L4). tests/bench/bases_test.cpp holds them "
     "to "
     "the integral "
-    "over all directions, 75.9, 32.9, 8.22 and 4.11, within 0.5 %.";
+    "over all directions, 75.9, 8.22 and 4.11, within 0.5 %.";
 
 Json row_of(const BasisFigures& figures) {
     const auto expected = expected_figures(figures.light, figures.basis.name);

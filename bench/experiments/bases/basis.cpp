@@ -2,9 +2,7 @@
 
 #include "shlm/basis/ambient_and_direction.h"
 #include "shlm/basis/hemisphere_fit.h"
-#include "shlm/basis/hemisphere_four.h"
 #include "shlm/basis/luminance_fit.h"
-#include "shlm/basis/luminance_nine.h"
 
 namespace bench::bases {
 namespace {
@@ -27,9 +25,6 @@ std::vector<Basis> ladder() {
             basis<shlm::AmbientAndDirection, radiance, Number>("AD/radiance"),
             basis<shlm::LuminanceFit<1>, radiance, Number>("YF1/radiance"),
             basis<shlm::LuminanceFit<2>, radiance, Number>("YF2/radiance"),
-            basis<shlm::LuminanceNine, radiance, Number>("YL2/radiance"),
-            basis<shlm::Harmonics<1>, radiance, Number>("L1/radiance"),
-            basis<shlm::HemisphereFour, radiance, Number>("H4/radiance"),
             basis<shlm::HemisphereFit<1>, radiance, Number>("F1/radiance"),
             basis<shlm::Harmonics<2>, radiance, Number>("L2/radiance"),
             basis<shlm::HemisphereFit<2>, radiance, Number>("F2/radiance"),

@@ -32,7 +32,7 @@ struct BasisFigures {
 
 /// The independent figures, in %, that results are compared with. They were derived without any of this code,
 /// by quadrature over 60 random environments (F0 to F2: over all point lights, and over 600 rooms). The means
-/// of the point lights have standard errors of 2.7, 1.1, 0.4 and 0.2 for L0, L1, L2 and L4. There are none
+/// of the point lights have standard errors of 2.7, 0.4 and 0.2 for L0, L2 and L4. There are none
 /// for the weights that serve as contrast, and no `worst` for a single environment.
 struct ExpectedFigures {
     double mean;

@@ -10,8 +10,9 @@ namespace {
 
 // --- the list: one line here adds a basis, gather or kernel
 
-const std::vector<std::string> bases = {"L0/normalised", "AD/radiance",   "YL2/radiance", "H4/radiance",
-                                        "L2/radiance",   "L2/normalised", "L4/radiance",  "L4/normalised"};
+const std::vector<std::string> bases = {"F0/flux",       "AD/radiance", "F1/radiance",
+                                        "YF2/radiance",  "F2/radiance", "L2/radiance",
+                                        "L2/normalised", "L4/radiance", "L4/normalised"};
 const std::vector<std::string> gathers = {"own", "bilinear", "bilinear/face", "surface4", "surface8"};
 const std::vector<std::string> adaptive_gathers = {"bilinear", "bilinear/face"};
 const std::vector<std::string> kernels = {"disc", "epanechnikov", "cone"};

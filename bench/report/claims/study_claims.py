@@ -13,7 +13,7 @@ STAYS = "the noise vanishes, the blur of the texels and the truncation of the se
 SLOPE_TOLERANCE = 0.1  # from -1, for noise that falls as 1 / hits
 CLEARLY_BETTER = 4.0  # in bias^2: half of the relative bias
 TILTED = 20.0  # degrees between shading and geometric normal from which on a surface counts as tilted
-ORDERS = ("shlm/L1/radiance/surface4", "shlm/L4/radiance/surface4")
+ORDERS = ("shlm/F1/radiance/surface4", "shlm/F2/radiance/surface4", "shlm/L4/radiance/surface4")
 
 
 def percent(square):

@@ -147,7 +147,7 @@ def time_split(curves_by_scene, names, title, words):
 
 def tilt_methods(curves):
     """Those measured of: a light map per order with the same gather, and the photon map."""
-    wanted = ["shlm/L0/normalised/{}", "shlm/L1/radiance/{}", "shlm/L2/radiance/{}", "shlm/L4/radiance/{}"]
+    wanted = ["shlm/L0/normalised/{}", "shlm/F1/radiance/{}", "shlm/L2/radiance/{}", "shlm/L4/radiance/{}"]
     found = {g: [w.format(g) for w in wanted if w.format(g) in curves] for g in ("surface4", "bilinear", "own")}
     gather = max(found, key=lambda g: len(found[g]))
     return found[gather] + [n for n in (REFERENCE_PHOTON_MAP,) if n in curves]

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "bench/contenders/contender_options.h"
+#include "bench/contenders/direct_light.h"
 #include "bench/contenders/light_map.h"
 #include "bench/contenders/memory_need.h"
 #include "bench/contenders/picture.h"
@@ -31,6 +32,7 @@ struct RenderOptions {
     TraceAmount amount;
     SceneOptions scene;
     MethodOptions methods;
+    DirectOptions direct;
     RunOptions run;
     int width = 640, height = 360;
 };
@@ -76,16 +78,22 @@ Rendering trace_and_gather(const RenderPlan& plan, const LoadedScene& loaded,
     const std::unique_ptr<Store> store = plan.method->make_store(prepared, source);
     common::Progress progress("tracing", target.hits ? "hits" : "photons",
                               target.hits ? target.hits : target.photons);
-    const auto trace = trace_into(
-        *store, {loaded.rays, source, options.run.seed, target, [&](const common::TraceReport& so_far) {
-                     progress.show(target.hits ? so_far.hits : so_far.fates.emitted);
-                     require_memory(plan.method, plan.settings, expected_hits(so_far, target),
-                                    plan.max_bytes);
-                     return !common::interrupted();
-                 }});
+    const auto trace =
+        trace_into(*store, {loaded.rays,
+                            source,
+                            options.run.seed,
+                            target,
+                            [&](const common::TraceReport& so_far) {
+                                progress.show(target.hits ? so_far.hits : so_far.fates.emitted);
+                                require_memory(plan.method, plan.settings, expected_hits(so_far, target),
+                                               plan.max_bytes);
+                                return !common::interrupted();
+                            },
+                            {},
+                            recorded_hits(plan.settings.direct)});
     stop_if_interrupted();
     const common::RejectedHits rejected = store->facts().rejected;
-    const FinishedMap map = plan.method->finish(*store, trace);
+    const FinishedMap map = finish_with_direct(plan.method, *store, trace, prepared, options.run.seed);
     stop_if_interrupted();
     return {render_map(*map.answers, pixels, options.width, options.height), trace, rejected};
 }
@@ -132,6 +140,9 @@ std::vector<std::filesystem::path> inputs_of(const RenderOptions& options) {
 RenderPlan make_plan(const RenderOptions& options) {
     RenderPlan plan{options, parse_contender("--method", options.method), options.methods.settings(),
                     options.amount.target(), max_map_bytes(options)};
+    plan.settings.direct = options.direct.setting();
+    if (plan.settings.direct.is_traced && options.amount.is_traced_already())
+        throw common::InputError("--direct: the sums of --map hold direct light already");
     check_image_output(options.out, options.width, options.height, [&] { return inputs_of(options); });
     check_replaces_a_rendered_image(options.out);
     require_memory(plan.method, plan.settings, plan.target.hits, plan.max_bytes);
@@ -193,6 +204,7 @@ const RegisteredCommand registered(
             command.whole_number("--height", options->height, "Pixels");
             options->scene.add_to(command);
             options->methods.add_to(command);
+            options->direct.add_to(command);
             options->run.add_to(command);
             return [options] { run(*options); };
         }});

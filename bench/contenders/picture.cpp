@@ -1,5 +1,6 @@
 #include "bench/contenders/picture.h"
 
+#include "bench/contenders/direct_light.h"
 #include "common/view/render.h"
 
 namespace bench {
@@ -28,7 +29,8 @@ common::Image render_run(const Contender& contender, PreparedScene& scene, const
     const std::unique_ptr<Store> store = contender->make_store(scene, run.source);
     const common::TraceReport trace = trace_into(*store, run);
     if (trace.interrupted) return {};
-    return render_map(*contender->finish(*store, trace).answers, pixels, width, height);
+    return render_map(*finish_with_direct(contender, *store, trace, scene, run.seed).answers, pixels, width,
+                      height);
 }
 
 }  // namespace bench

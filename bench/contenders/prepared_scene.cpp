@@ -36,8 +36,15 @@ PreparedScene::PreparedScene(const LoadedScene& scene, const ContenderSettings& 
 }
 
 std::string describe(const ContenderSettings& settings) {
-    return fmt::format("texels={} max-radius={}", describe(settings.texels),
-                       settings.max_radius == 0 ? "auto" : fmt::format("{}", settings.max_radius));
+    const std::string direct =
+        settings.direct.is_traced ? fmt::format(" direct=traced,{}", settings.direct.samples) : "";
+    return fmt::format("texels={} max-radius={}{}", describe(settings.texels),
+                       settings.max_radius == 0 ? "auto" : fmt::format("{}", settings.max_radius), direct);
+}
+
+const common::reference::Lights& PreparedScene::lights() {
+    if (!lights_) lights_.emplace(*scene_);
+    return *lights_;
 }
 
 const shlm::PreparedTexels& PreparedScene::texels(const TexelChoice& choice) {

@@ -9,18 +9,26 @@
 #include "bench/setup/scene_options.h"
 #include "bench/setup/texel_options.h"
 #include "common/core/stopwatch.h"
+#include "common/reference/lights.h"
 #include "common/tracer/covering_surfaces.h"
 #include "shlm/layout/prepared_texels.h"
 
 namespace bench {
 
+/// Where direct light comes from (direct_light.h).
+struct DirectSetting {
+    bool is_traced = false;      ///< sampled at each question, not brought by photons
+    std::uint32_t samples = 64;  ///< at each question, if so
+};
+
 /// Settings that a contender's name does not determine.
 struct ContenderSettings {
     TexelChoice texels;
     float max_radius = 0;  ///< of a photon map's k nearest, scene units; 0: the default
+    DirectSetting direct{};
 };
 
-/// Formats as "texels=262144 max-radius=auto" or "texels=face,262144 max-radius=0.5".
+/// Formats as "texels=262144 max-radius=auto" or "texels=face,262144 max-radius=0.5 direct=traced,64".
 [[nodiscard]] std::string describe(const ContenderSettings& settings);
 
 /// The cost of making something once for a scene, before any photon.
@@ -52,6 +60,11 @@ class PreparedScene {
     [[nodiscard]] const shlm::PreparedTexels& texels(const TexelChoice& choice);
 
     [[nodiscard]] const common::CoveringSurfaces& covers();
+
+    [[nodiscard]] const common::RayScene& rays() const { return *rays_; }
+
+    /// Returns the lights, to sample direct light.
+    [[nodiscard]] const common::reference::Lights& lights();
 
     /// Return the costs of: texels(choice), with the search for lightmap coordinates and surfaces; the same
     /// with the tree over texels, whose bytes are counted in each map; covers().
@@ -90,6 +103,7 @@ class PreparedScene {
     std::optional<Timed<common::SurfacePieces>> pieces_;
     std::map<std::pair<std::size_t, shlm::TexelPlacement>, TimedTexels> texels_;
     std::optional<Timed<common::CoveringSurfaces>> covers_;
+    std::optional<common::reference::Lights> lights_;
 };
 
 }  // namespace bench

@@ -44,7 +44,8 @@ static_assert(common::UnorderedSink<AnyOrder>);
 
 template <common::PhotonSink Sink>
 common::TraceReport traced(Sink sink, const TracedRun& run) {
-    return common::trace_photons(run.rays, run.source, run.seed, run.target, sink, run.progress, run.so_far);
+    return common::trace_photons(run.rays, run.source, run.seed, run.target, sink, run.progress, run.so_far,
+                                 run.recorded);
 }
 
 }  // namespace

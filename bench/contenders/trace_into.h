@@ -17,6 +17,7 @@ struct TracedRun {
     common::TraceTarget target;
     common::TraceProgress progress{};
     common::TraceReport so_far{};  ///< the run to continue
+    common::RecordedHits recorded = common::RecordedHits::all;
 };
 
 /// Traces into one store. If it takes any order, each thread passes its hits while they are in its cache.

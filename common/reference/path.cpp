@@ -34,11 +34,12 @@ struct ChosenDirection {
 
 class Path {
   public:
-    Path(const RayScene& rays, const Lights& lights, RandomStream& stream, int most_surfaces)
+    Path(const RayScene& rays, const Lights& lights, RandomStream& stream, int most_surfaces, LightPart part)
         : rays_(rays),
           scene_(rays.scene()),
           lights_(lights),
           stream_(stream),
+          part_(part),
           most_surfaces_(most_surfaces) {}
 
     V3d irradiance(const SurfacePoint& point, const FirstNumbers& first) {
@@ -48,7 +49,7 @@ class Path {
         while (true) {
             const LightChoice choice(lights_, receiver);
             const DirectionChoice directions(lights_.specular(), receiver);
-            add_light(receiver, choice, directions, numbers);
+            if (is_wanted()) add_light(receiver, choice, directions, numbers);
             const Vec3 towards = directions.choose(numbers.direction);
             const double cosine = incident_cosine(receiver, V3d(towards));
             if (cosine <= 0) break;
@@ -56,6 +57,8 @@ class Path {
             throughput_ *= cosine / pi / chosen.density;
             const std::optional<Receiver> next = follow(chosen, choice);
             if (!next) break;
+            is_direct_ = false;
+            if (part_ == LightPart::direct) break;
             receiver = *next;
             numbers = {{stream_.next(), stream_.next()}, {stream_.next(), stream_.next()}, stream_.next()};
         }
@@ -97,7 +100,7 @@ class Path {
         while (true) {
             const std::optional<SurfaceId> surface = rays_.nearest(origin, towards);
             if (!surface) {
-                if (scene_.sky) add(doubles(scene_.sky->radiance) * pi);
+                if (scene_.sky && is_wanted()) add(doubles(scene_.sky->radiance) * pi);
                 return std::nullopt;
             }
             const Vec3 position = position_at(scene_, *surface);
@@ -109,7 +112,7 @@ class Path {
                 continue;
             }
             const double weight = straight ? weight_of_meeting(*surface, position, chosen, choice) : 1;
-            add(emitted(*surface, towards) * (pi * weight));
+            if (is_wanted()) add(emitted(*surface, towards) * (pi * weight));
             if (++surfaces_ > most_surfaces_) return std::nullopt;
 
             throughput_ *= doubles(base_color_at(scene_, *surface));
@@ -125,6 +128,8 @@ class Path {
             origin = rays_.off_surface(position, arrival->geometric_normal);
             towards = arrival->towards;
             straight = straight && arrival->straight;
+            is_direct_ = is_direct_ && straight;
+            if (part_ == LightPart::direct && !is_direct_) return std::nullopt;
         }
     }
 
@@ -164,6 +169,11 @@ class Path {
         return true;
     }
 
+    /// Whether light that the path meets now is of the part.
+    [[nodiscard]] bool is_wanted() const {
+        return part_ == LightPart::all || (part_ == LightPart::direct) == is_direct_;
+    }
+
     void add(const V3d& irradiance) { sum_ += throughput_ * irradiance; }
 
     const RayScene& rays_;
@@ -173,6 +183,8 @@ class Path {
     V3d sum_{0, 0, 0};
     V3d throughput_{1, 1, 1};  ///< irradiance at the visible point per irradiance at the end of the path
     double index_sq_ = 1;      ///< the factor of `throughput_` that is due to squared indices
+    LightPart part_;
+    bool is_direct_ = true;  ///< no diffuse surface, mirror or glass so far
     int most_surfaces_;
     int surfaces_ = 1;
 };
@@ -180,8 +192,8 @@ class Path {
 }  // namespace
 
 V3d sample_irradiance(const RayScene& rays, const Lights& lights, const SurfacePoint& point,
-                      const FirstNumbers& first, RandomStream& stream, int most_surfaces) {
-    return Path(rays, lights, stream, most_surfaces).irradiance(point, first);
+                      const FirstNumbers& first, RandomStream& stream, int most_surfaces, LightPart part) {
+    return Path(rays, lights, stream, most_surfaces, part).irradiance(point, first);
 }
 
 }  // namespace common::reference

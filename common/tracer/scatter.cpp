@@ -55,7 +55,7 @@ std::optional<ScatteredPhoton> scatter(const Scene& scene, const SurfaceId& surf
     const Vec3 normal = direction.dot(front_normal) < 0 ? front_normal : -front_normal;
 
     const float coverage = coverage_at(scene, surface);
-    if (u[3] >= coverage) return ScatteredPhoton{direction, -normal, flux};
+    if (u[3] >= coverage) return ScatteredPhoton{direction, -normal, flux, true};
 
     const Roulette roulette = play_roulette(flux, flux * base_color_at(scene, surface), u[0]);
     if (!roulette.survived) return std::nullopt;
@@ -65,7 +65,8 @@ std::optional<ScatteredPhoton> scatter(const Scene& scene, const SurfaceId& surf
     const SpecularDirections specular = specular_directions(scene, surface, direction);
     // Below the coverage, u[3] is uniform again.
     if (specular.passed && u[3] >= specular.reflectance * coverage)
-        return ScatteredPhoton{*specular.passed, -normal, roulette.flux};
+        return ScatteredPhoton{*specular.passed, -normal, roulette.flux,
+                               scene.material_of(surface.triangle).kind == SurfaceKind::thin_sheet};
     return ScatteredPhoton{specular.reflected, normal, roulette.flux};
 }
 

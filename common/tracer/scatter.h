@@ -28,9 +28,10 @@ struct Roulette {
 }
 
 struct ScatteredPhoton {
-    Vec3 direction;  ///< unit, away from the surface
-    Vec3 normal;     ///< unit geometric normal, on the side that the photon leaves to
-    Rgb flux;        ///< W times the number emitted, after Russian roulette
+    Vec3 direction;         ///< unit, away from the surface
+    Vec3 normal;            ///< unit geometric normal, on the side that the photon leaves to
+    Rgb flux;               ///< W times the number emitted, after Russian roulette
+    bool straight = false;  ///< through a hole or a thin sheet, as if it were not there
 };
 
 /// Reflects, transmits or absorbs (returns nothing) a photon that travels along `direction` with `flux`.

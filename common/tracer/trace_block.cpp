@@ -33,8 +33,9 @@ std::uint64_t TracedBlock::photons_with(std::uint64_t wanted, std::uint64_t firs
     return photons_per_block;
 }
 
-BlockTracer::BlockTracer(const RayScene& rays, const PhotonSource& source, std::uint64_t seed)
-    : rays_(&rays), source_(&source), seed_(seed), order_(rays.scene().bounds) {}
+BlockTracer::BlockTracer(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
+                         RecordedHits recorded)
+    : rays_(&rays), source_(&source), seed_(seed), recorded_(recorded), order_(rays.scene().bounds) {}
 
 void BlockTracer::trace(std::uint64_t block, TracedBlock& traced) {
     const std::uint64_t first_photon = block * photons_per_block;
@@ -46,6 +47,7 @@ void BlockTracer::trace(std::uint64_t block, TracedBlock& traced) {
     source_->emit(seed_, first_photon, rays_->surface_offset(), reflected_);
     drop_dark(traced);
     if (rays_->may_cover_lights()) drop_covered(first_photon);
+    direct_.assign(recorded_ == RecordedHits::indirect ? photons_per_block : 0, true);
     const std::uint32_t most_events = source_->most_events();
     for (std::uint32_t event = 0; event < most_events; ++event) {
         const std::span<const std::uint32_t> alive = order_.sort(reflected_, survived_);
@@ -56,9 +58,11 @@ void BlockTracer::trace(std::uint64_t block, TracedBlock& traced) {
         find_arrivals();
         look_up_textures();
         look_up_vertex_colors();
+        if (recorded_ == RecordedHits::indirect) leave_out_direct();
         record_hits(traced.hits);
         reflect_diffuse(first_photon, event);
         scatter_others(first_photon, event);
+        if (recorded_ == RecordedHits::indirect) keep_direct();
     }
     for (std::size_t i = 0; i < reflected_.size(); ++i)
         if (survived_[i]) traced.fate[reflected_.number[i]] = PhotonFate::given_up;
@@ -161,6 +165,18 @@ void BlockTracer::look_up_vertex_colors() {
     }
 }
 
+/// A photon stays direct where it goes straight on.
+void BlockTracer::keep_direct() {
+    std::erase_if(went_straight_, [&](std::uint32_t number) { return !direct_[number]; });
+    direct_.assign(photons_per_block, false);
+    for (const std::uint32_t number : went_straight_) direct_[number] = true;
+}
+
+void BlockTracer::leave_out_direct() {
+    for (std::size_t i = 0; i < photons_.size(); ++i)
+        if (direct_[photons_.number[i]]) stores_[i] = 0;
+}
+
 void BlockTracer::record_hits(HitBatch& hits) {
     std::size_t next = hits.size();
     hits.resize(next + photons_.size());
@@ -203,6 +219,7 @@ void BlockTracer::reflect_diffuse(std::uint64_t first_photon, std::uint32_t even
 }
 
 void BlockTracer::scatter_others(std::uint64_t first_photon, std::uint32_t event) {
+    went_straight_.clear();
     for (const std::uint32_t i : others_) {
         const auto u =
             random_uniforms(seed_, first_photon + photons_.number[i], event, RandomPurpose::scattering);
@@ -210,6 +227,7 @@ void BlockTracer::scatter_others(std::uint64_t first_photon, std::uint32_t event
             scatter(rays_->scene(), met_[i], photons_.direction[i], Rgb(photons_.flux[i]), u);
         survived_[i] = scattered.has_value();
         if (!scattered) continue;
+        if (scattered->straight) went_straight_.push_back(photons_.number[i]);
         reflected_.origin.set(i, rays_->off_surface(position_[i], scattered->normal));
         reflected_.direction.set(i, scattered->direction);
         reflected_.flux.set(i, scattered->flux);

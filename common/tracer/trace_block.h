@@ -20,6 +20,10 @@ enum class PhotonFate : std::uint8_t {
     without_light  ///< not sent: its light emits nothing where it would have started
 };
 
+/// Which arrivals are recorded. Direct ones are those of photons that come from their light straight, or
+/// through holes and thin sheets; what mirrors and glass deflect is indirect.
+enum class RecordedHits : std::uint8_t { all, indirect };
+
 struct TracedBlock {
     HitBatch hits;  ///< sorted by event number; within an event in the order in which they were traced
     std::vector<PhotonFate> fate;  ///< one per photon
@@ -36,7 +40,8 @@ struct TracedBlock {
 class BlockTracer {
   public:
     /// `rays` and `source` must outlive the tracer.
-    BlockTracer(const RayScene& rays, const PhotonSource& source, std::uint64_t seed);
+    BlockTracer(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
+                RecordedHits recorded = RecordedHits::all);
 
     /// Traces block b: the run's photons from b * photons_per_block on. The path of a photon does not depend
     /// on the other photons.
@@ -49,6 +54,8 @@ class BlockTracer {
     void find_arrivals();
     void look_up_textures();
     void look_up_vertex_colors();
+    void leave_out_direct();
+    void keep_direct();
     void record_hits(HitBatch& hits);
     void reflect_diffuse(std::uint64_t first_photon, std::uint32_t event);
     void scatter_others(std::uint64_t first_photon, std::uint32_t event);
@@ -56,19 +63,23 @@ class BlockTracer {
     const RayScene* rays_;
     const PhotonSource* source_;
     std::uint64_t seed_;
+    RecordedHits recorded_;
 
     PhotonOrder order_;
-    PhotonBatch photons_;                  ///< on the way to their next surfaces
-    NearestSurfaces met_;                  ///< these surfaces
-    Vec3Array position_;                   ///< where the photons hit them
-    Vec3Array normal_;                     ///< of the side that they hit, unit
-    Vec3Array base_color_;                 ///< of the surfaces
-    std::vector<std::uint32_t> stores_;    ///< whether the surface stores hits, 0 or 1
-    std::vector<std::uint32_t> textured_;  ///< photons that hit a texture
-    std::vector<std::uint32_t> colored_;   ///< photons that hit vertex colours
-    std::vector<std::uint32_t> others_;    ///< photons that hit a mirror, glass, or a surface with holes
-    PhotonBatch reflected_;                ///< the photons after scattering
-    std::vector<std::uint32_t> survived_;  ///< whether they survive, 0 or 1
+    PhotonBatch photons_;                       ///< on the way to their next surfaces
+    NearestSurfaces met_;                       ///< these surfaces
+    Vec3Array position_;                        ///< where the photons hit them
+    Vec3Array normal_;                          ///< of the side that they hit, unit
+    Vec3Array base_color_;                      ///< of the surfaces
+    std::vector<std::uint32_t> stores_;         ///< whether the surface stores hits, 0 or 1
+    std::vector<std::uint32_t> textured_;       ///< photons that hit a texture
+    std::vector<std::uint32_t> colored_;        ///< photons that hit vertex colours
+    std::vector<std::uint32_t> others_;         ///< photons that hit a mirror, glass, or a surface with holes
+    PhotonBatch reflected_;                     ///< the photons after scattering
+    std::vector<std::uint32_t> survived_;       ///< whether they survive, 0 or 1
+    std::vector<std::uint32_t> went_straight_;  ///< numbers of photons that nothing deflected
+    std::vector<bool> direct_;  ///< by number, whether nothing has deflected the photon yet; kept only for
+                                ///< RecordedHits::indirect
 };
 
 }  // namespace common

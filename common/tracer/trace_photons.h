@@ -16,14 +16,16 @@ using TraceProgress = std::function<bool(const TraceReport& so_far)>;
 /// `so_far` is the report of an earlier call, which this call continues to the same end. Between two waves
 /// the sink has taken the hits of the photons so far, and no others.
 ///
+/// With RecordedHits::indirect, direct hits are neither passed on nor counted; photons' paths are the same.
+///
 /// The hits that the sink gets, and the report's counts, depend only on the scene, the seed and the target.
 /// If the sink is not unordered, so does their order. Uses the threads of the calling arena (see ThreadPool).
 template <PhotonSink Sink>
 TraceReport trace_photons(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
                           TraceTarget target, Sink& sink, const TraceProgress& progress = {},
-                          const TraceReport& so_far = {}) {
-    OrderedWaves ordered(rays, source, seed);
-    UnorderedWaves unordered(rays, source, seed);
+                          const TraceReport& so_far = {}, RecordedHits recorded = RecordedHits::all) {
+    OrderedWaves ordered(rays, source, seed, recorded);
+    UnorderedWaves unordered(rays, source, seed, recorded);
     TraceReport report = so_far;
     report.interrupted = false;
     while (!target.reached_by(report)) {

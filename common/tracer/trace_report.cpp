@@ -33,7 +33,7 @@ void check_that_photons_hit(const TraceReport& so_far, const TraceTarget& target
     constexpr std::uint64_t patience = 1 << 20;
     if (target.hits > 0 && so_far.hits == 0 && so_far.fates.emitted >= patience)
         throw InputError(
-            fmt::format("the first {} photons hit no diffuse surface: no number of hits can be reached",
+            fmt::format("the first {} photons made no hit to record: no number of hits can be reached",
                         so_far.fates.emitted));
 }
 

@@ -34,8 +34,8 @@ void take_photons(TracedBlock& block, const TraceTarget& target, TraceReport& re
 /// Traces a whole wave, then passes it to the sink at once, cut where the target is reached.
 class OrderedWaves {
   public:
-    OrderedWaves(const RayScene& rays, const PhotonSource& source, std::uint64_t seed)
-        : tracers_([&rays, &source, seed] { return BlockTracer(rays, source, seed); }) {}
+    OrderedWaves(const RayScene& rays, const PhotonSource& source, std::uint64_t seed, RecordedHits recorded)
+        : tracers_([&rays, &source, seed, recorded] { return BlockTracer(rays, source, seed, recorded); }) {}
 
     template <PhotonSink Sink>
     void trace(const TraceTarget& target, Sink& sink, TraceReport& report) {
@@ -65,8 +65,9 @@ class OrderedWaves {
 /// Passes each block to the sink as soon as it is traced, on the same thread.
 class UnorderedWaves {
   public:
-    UnorderedWaves(const RayScene& rays, const PhotonSource& source, std::uint64_t seed)
-        : workers_([&rays, &source, seed] { return Worker(rays, source, seed); }) {}
+    UnorderedWaves(const RayScene& rays, const PhotonSource& source, std::uint64_t seed,
+                   RecordedHits recorded)
+        : workers_([&rays, &source, seed, recorded] { return Worker(rays, source, seed, recorded); }) {}
 
     /// `blocks` must begin at a block's first photon and not reach the target.
     template <UnorderedSink Sink>
@@ -93,8 +94,8 @@ class UnorderedWaves {
     /// The state of one thread.
     class Worker {
       public:
-        Worker(const RayScene& rays, const PhotonSource& source, std::uint64_t seed)
-            : tracer_(rays, source, seed) {}
+        Worker(const RayScene& rays, const PhotonSource& source, std::uint64_t seed, RecordedHits recorded)
+            : tracer_(rays, source, seed, recorded) {}
 
         template <UnorderedSink Sink>
         void trace(std::uint64_t block, Sink& sink) {

@@ -58,7 +58,13 @@ void draw(const ComparePlan& plan, const CompareScene& scene, const std::vector<
     float exposure = 0;
     for (const Picture& picture : pictures) {
         const auto go_on = [](const common::TraceReport&) { return !common::interrupted(); };
-        const TracedRun run{scene.loaded.rays, scene.source, plan.seed, {.hits = picture.hits}, go_on};
+        const TracedRun run{scene.loaded.rays,
+                            scene.source,
+                            plan.seed,
+                            {.hits = picture.hits},
+                            go_on,
+                            {},
+                            recorded_hits(plan.settings.direct)};
         const common::Image image =
             render_run(picture.method, scene.prepared, run, pixels, image_width, image_height);
         if (common::interrupted()) return;

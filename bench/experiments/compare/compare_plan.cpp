@@ -25,6 +25,7 @@ void CompareOptions::add_to(Command& command) {
                    "Fewer repetitions where one scene and number of hits would take longer");
     scene.add_to(command);
     method_options.add_to(command);
+    direct.add_to(command);
     run.add_to(command);
 }
 
@@ -43,6 +44,7 @@ ComparePlan make_plan(const CompareOptions& options) {
                      .settings = options.method_options.settings(),
                      .threads = options.run.thread_count(),
                      .seed = options.run.seed};
+    plan.settings.direct = options.direct.setting();
     if (plan.repetitions < 1 || plan.repetitions > 10'000)
         throw common::InputError("--repetitions: from 1 to 10000");
     if (!(plan.seconds_per_size >= 0)) throw common::InputError("--seconds-per-size: must not be negative");

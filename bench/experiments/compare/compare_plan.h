@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/contenders/contender_options.h"
+#include "bench/contenders/direct_light.h"
 #include "bench/setup/command.h"
 #include "bench/setup/run_options.h"
 
@@ -21,6 +22,7 @@ struct CompareOptions {
     double seconds_per_size = 1e9;
     SceneOptions scene;
     MethodOptions method_options;
+    DirectOptions direct;
     RunOptions run;
 
     void add_to(Command& command);

@@ -22,6 +22,7 @@ RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const Con
                  .hits_asked = hits,
                  .seed = plan.seed,
                  .threads = plan.threads,
+                 .direct = plan.settings.direct,
                  .queries = scene.queries.image_order.size(),
                  .texels = 0,
                  .null_sink = {},
@@ -51,7 +52,8 @@ bool run_once(const ComparePlan& plan, const CompareScene& scene, std::uint64_t 
                             progress.show(so_far.hits);
                             return !common::interrupted();
                         },
-                        plan.max_bytes};
+                        plan.max_bytes,
+                        recorded_hits(plan.settings.direct)};
     };
     common::Progress null_progress(fmt::format("{} {} null sink", scene.loaded.name, hits), "hits", hits);
     const common::TraceReport null_sink = measure_null_sink(workload(null_progress));

@@ -4,6 +4,7 @@
 
 #include <new>
 
+#include "bench/contenders/direct_light.h"
 #include "bench/contenders/trace_into.h"
 #include "common/core/memory_use.h"
 #include "common/core/stopwatch.h"
@@ -12,7 +13,7 @@ namespace bench::compare {
 namespace {
 
 TracedRun run_of(const Workload& w, const common::TraceProgress& progress) {
-    return {w.scene.rays, w.source, w.seed, w.target, progress};
+    return {w.scene.rays, w.source, w.seed, w.target, progress, {}, w.recorded};
 }
 
 double sum_of(std::span<const common::Rgb> answers) {
@@ -42,7 +43,8 @@ void measure_gather(const Answers& map, const Workload& w, Measurement& m) {
     m.peak_resident_bytes = common::peak_resident_bytes();
 }
 
-void measure(const Contender& contender, Store& store, const Workload& w, Measurement& m) {
+void measure(const Contender& contender, Store& store, PreparedScene& scene, const Workload& w,
+             Measurement& m) {
     const auto too_large = [&] {
         const std::size_t now = common::resident_bytes();
         return now > m.resident_before_bytes && now - m.resident_before_bytes > w.max_bytes;
@@ -56,7 +58,7 @@ void measure(const Contender& contender, Store& store, const Workload& w, Measur
     m.rejected = facts.rejected;
     m.insert_bytes = facts.bytes;
 
-    const FinishedMap map = contender->finish(store, m.trace);
+    const FinishedMap map = finish_with_direct(contender, store, m.trace, scene, w.seed);
     m.build_seconds = map.build_seconds;
     m.bytes = map.answers->bytes();
     if (too_large()) {
@@ -78,7 +80,7 @@ Measurement measure_method(const Contender& contender, PreparedScene& scene, con
         const common::Stopwatch making_room;
         const std::unique_ptr<Store> store = contender->make_store(scene, workload.source);
         m.making_room_seconds = making_room.seconds();
-        measure(contender, *store, workload, m);
+        measure(contender, *store, scene, workload, m);
     } catch (const std::bad_alloc&) {
         m.given_up = "found no more memory";
         m.trace.interrupted = true;

@@ -41,6 +41,7 @@ struct Workload {
     common::TraceProgress progress;
     std::size_t max_bytes =
         std::numeric_limits<std::size_t>::max();  ///< limit on what the method adds to the process
+    common::RecordedHits recorded = common::RecordedHits::all;
 };
 
 /// Measures one run, using the threads of the calling arena for all but the gathers. An interrupted run has

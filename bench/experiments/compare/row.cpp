@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bench/contenders/direct_light.h"
 #include "bench/contenders/row_facts.h"
 #include "bench/setup/median.h"
 
@@ -82,6 +83,7 @@ Json make_row(const RowInput& in) {
     row["hits_asked"] = in.hits_asked;
     row["seed"] = in.seed;
     row["threads"] = in.threads;
+    add_direct_facts(row, in.direct);
     row["fingerprint"] = in.fingerprint;
     row["needed_bytes"] = in.needed_bytes;
     row["max_memory_bytes"] = in.max_bytes;

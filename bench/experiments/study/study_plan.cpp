@@ -48,6 +48,7 @@ void StudyOptions::add_to(Command& command) {
     add_threads_option(command, threads);
     scene.add_to(command);
     method_options.add_to(command);
+    direct.add_to(command);
 }
 
 StudyPlan make_plan(const StudyOptions& options) {
@@ -65,6 +66,7 @@ StudyPlan make_plan(const StudyOptions& options) {
         .settings = options.method_options.settings(),
         .threads = RunOptions{.threads = options.threads}.thread_count(),
     };
+    plan.settings.direct = options.direct.setting();
     require_different_names(options.files);
     if (plan.seeds < 1 || plan.seeds > 1000) throw common::InputError("--seeds: from 1 to 1000");
     std::error_code unreadable;

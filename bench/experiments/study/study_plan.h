@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/contenders/contender_options.h"
+#include "bench/contenders/direct_light.h"
 #include "bench/setup/command.h"
 #include "bench/setup/run_options.h"
 
@@ -49,6 +50,7 @@ struct StudyOptions {
     bool anew = false;
     SceneOptions scene;
     MethodOptions method_options;
+    DirectOptions direct;
     int threads = 0;
 
     void add_to(Command& command);

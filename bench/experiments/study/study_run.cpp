@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bench/contenders/direct_light.h"
 #include "bench/contenders/light_map.h"
 #include "bench/contenders/memory_need.h"
 #include "bench/contenders/row_facts.h"
@@ -34,6 +35,7 @@ Json row_start(const RunFacts& facts, const Contender& contender, const Contende
     row["texels"] = light_map ? light_map->texel_choice(settings).count : 0;
     row["hits_asked"] = facts.hits_asked;
     row["seed"] = facts.seed;
+    add_direct_facts(row, settings.direct);
     return row;
 }
 
@@ -94,7 +96,8 @@ void ask_all(const FilledStore& filled, const RunFacts& facts, const StudyPlan& 
     const StoreFacts store = filled.store->facts();
     for (const Contender& contender : filled.contenders) {
         if (common::interrupted()) return;
-        const FinishedMap map = contender->finish(*filled.store, facts.trace);
+        const FinishedMap map =
+            finish_with_direct(contender, *filled.store, facts.trace, scene.prepared(), facts.seed);
         Json row = row_of(facts, contender, plan.settings, store, filled);
         row["build_seconds"] = map.build_seconds;
         row["bytes"] = map.answers->bytes();
@@ -131,7 +134,9 @@ bool run_batch(std::vector<ContenderGroup> groups, RunFacts facts, const StudyPl
                                       [&](const common::TraceReport& so_far) {
                                           progress.show(so_far.hits);
                                           return !common::interrupted();
-                                      }});
+                                      },
+                                      {},
+                                      recorded_hits(plan.settings.direct)});
     std::vector<Json> asked;
     for (FilledStore& filled : stores) {
         if (common::interrupted()) return false;

@@ -11,6 +11,7 @@
 #include "bench/contenders/picture.h"
 #include "bench/contenders/warnings.h"
 #include "bench/setup/command.h"
+#include "bench/setup/emission_option.h"
 #include "bench/setup/ending.h"
 #include "bench/setup/image_output.h"
 #include "bench/setup/provenance.h"
@@ -33,6 +34,7 @@ struct RenderOptions {
     SceneOptions scene;
     MethodOptions methods;
     DirectOptions direct;
+    EmissionOption emission;
     RunOptions run;
     int width = 640, height = 360;
 };
@@ -141,8 +143,11 @@ RenderPlan make_plan(const RenderOptions& options) {
     RenderPlan plan{options, parse_contender("--method", options.method), options.methods.settings(),
                     options.amount.target(), max_map_bytes(options)};
     plan.settings.direct = options.direct.setting();
+    plan.settings.emission = options.emission.sequence();
     if (plan.settings.direct.is_traced && options.amount.is_traced_already())
         throw common::InputError("--direct: the sums of --map hold direct light already");
+    if (plan.settings.emission != common::EmissionSequence::random && options.amount.is_traced_already())
+        throw common::InputError("--emission: the photons of --map are traced already");
     check_image_output(options.out, options.width, options.height, [&] { return inputs_of(options); });
     check_replaces_a_rendered_image(options.out);
     require_memory(plan.method, plan.settings, plan.target.hits, plan.max_bytes);
@@ -154,7 +159,7 @@ void run(const RenderOptions& options) {
     common::ThreadPool pool(options.run.thread_count());
     pool.run([&] {
         const LoadedScene loaded(options.file, options.scene);
-        const common::PhotonSource source(loaded.rays);
+        const common::PhotonSource source(loaded.rays, plan.settings.emission);
         PreparedScene prepared(loaded, plan.settings);
         (void)plan.method->prepare(prepared);  // errors are reported before warnings
         const auto print_warnings = [&] {
@@ -205,6 +210,7 @@ const RegisteredCommand registered(
             options->scene.add_to(command);
             options->methods.add_to(command);
             options->direct.add_to(command);
+            options->emission.add_to(command);
             options->run.add_to(command);
             return [options] { run(*options); };
         }});

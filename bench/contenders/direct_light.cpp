@@ -86,10 +86,12 @@ common::RecordedHits recorded_hits(const DirectSetting& direct) {
     return direct.is_traced ? common::RecordedHits::indirect : common::RecordedHits::all;
 }
 
-void add_direct_facts(nlohmann::ordered_json& row, const DirectSetting& direct) {
-    if (!direct.is_traced) return;
-    row["direct"] = "traced";
-    row["direct_samples"] = direct.samples;
+void add_run_facts(nlohmann::ordered_json& row, const ContenderSettings& settings) {
+    if (settings.direct.is_traced) {
+        row["direct"] = "traced";
+        row["direct_samples"] = settings.direct.samples;
+    }
+    if (settings.emission == common::EmissionSequence::sobol) row["emission"] = "sobol";
 }
 
 FinishedMap finish_with_direct(const Contender& contender, Store& store, const common::TraceReport& trace,

@@ -22,8 +22,9 @@ struct DirectOptions {
 /// Returns which hits the stores of a run take.
 [[nodiscard]] common::RecordedHits recorded_hits(const DirectSetting& direct);
 
-/// Adds the facts to a row of results, where they are not the default.
-void add_direct_facts(nlohmann::ordered_json& row, const DirectSetting& direct);
+/// Adds where direct light comes from, and how photons are spread, to a row of results: what is not the
+/// default.
+void add_run_facts(nlohmann::ordered_json& row, const ContenderSettings& settings);
 
 /// Makes the map of a whole run, as Technique::finish. Where direct light is sampled, the answers add it:
 /// the mean of DirectSetting::samples estimates by common::reference::sample_irradiance. They depend on the

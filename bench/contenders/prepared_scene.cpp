@@ -38,8 +38,10 @@ PreparedScene::PreparedScene(const LoadedScene& scene, const ContenderSettings& 
 std::string describe(const ContenderSettings& settings) {
     const std::string direct =
         settings.direct.is_traced ? fmt::format(" direct=traced,{}", settings.direct.samples) : "";
-    return fmt::format("texels={} max-radius={}{}", describe(settings.texels),
-                       settings.max_radius == 0 ? "auto" : fmt::format("{}", settings.max_radius), direct);
+    const bool is_sobol = settings.emission == common::EmissionSequence::sobol;
+    return fmt::format("texels={} max-radius={}{}{}", describe(settings.texels),
+                       settings.max_radius == 0 ? "auto" : fmt::format("{}", settings.max_radius), direct,
+                       is_sobol ? " emission=sobol" : "");
 }
 
 const common::reference::Lights& PreparedScene::lights() {

@@ -11,6 +11,7 @@
 #include "common/core/stopwatch.h"
 #include "common/reference/lights.h"
 #include "common/tracer/covering_surfaces.h"
+#include "common/tracer/photon_source.h"
 #include "shlm/layout/prepared_texels.h"
 
 namespace bench {
@@ -26,9 +27,11 @@ struct ContenderSettings {
     TexelChoice texels;
     float max_radius = 0;  ///< of a photon map's k nearest, scene units; 0: the default
     DirectSetting direct{};
+    common::EmissionSequence emission = common::EmissionSequence::random;
 };
 
-/// Formats as "texels=262144 max-radius=auto" or "texels=face,262144 max-radius=0.5 direct=traced,64".
+/// Formats as "texels=262144 max-radius=auto" or "texels=face,262144 max-radius=0.5 direct=traced,64
+/// emission=sobol".
 [[nodiscard]] std::string describe(const ContenderSettings& settings);
 
 /// The cost of making something once for a scene, before any photon.

@@ -68,7 +68,7 @@ std::vector<Rgb> read_answers(const fs::path& file, std::size_t points) {
 ReferenceScene::ReferenceScene(const fs::path& file, const fs::path& reference_file,
                                const SceneOptions& options, const ContenderSettings& settings)
     : loaded_(file.string(), options),
-      source_(loaded_.rays),
+      source_(loaded_.rays, settings.emission),
       prepared_(loaded_, settings),
       fingerprint_(common::fingerprint(loaded_.scene)) {
     const auto reference = common::reference::read_reference(reference_file);

@@ -5,6 +5,7 @@
 #include "common/core/input_error.h"
 #include "common/core/random.h"
 #include "common/core/sampling.h"
+#include "common/core/scrambled_sobol.h"
 #include "common/scene/coverage.h"
 #include "common/tracer/ray_scene.h"
 
@@ -218,6 +219,36 @@ PointEmitter point_emitter(const Scene& scene, const PointLight& light) {
     return {at, towards, sample_cosine_hemisphere(towards[0], towards[1])};
 }
 
+/// Photons whose numbers are made together, from a multiple of as many on.
+constexpr std::size_t together = ScrambledSobol::block;
+
+/// The direction has the first two coordinates, whose pairs are spread best; points of light have no other.
+class SobolEmission {
+  public:
+    SobolEmission(std::uint64_t seed, std::uint64_t index)
+        : points_(static_cast<std::uint32_t>(index), keys(seed, index >> 32)) {}
+
+    [[nodiscard]] EmissionNumbers numbers(std::uint64_t index) const {
+        const auto i = static_cast<std::uint32_t>(index % together);
+        // All 32 bits choose the light: the first 24, then the other 8.
+        const std::uint32_t choice = points_.bits(4, i);
+        const std::array<float, 4> at = {static_cast<float>(choice >> 8) * 0x1p-24f, points_.uniform(2, i),
+                                         points_.uniform(3, i), static_cast<float>(choice & 0xff) * 0x1p-8f};
+        const std::array<float, 4> towards = {points_.uniform(0, i), points_.uniform(1, i),
+                                              points_.uniform(5, i), 0};
+        return {at, towards, sample_cosine_hemisphere(towards[0], towards[1])};
+    }
+
+  private:
+    static std::array<std::uint32_t, sobol_dimensions> keys(std::uint64_t seed, std::uint64_t high_bits) {
+        const auto a = random_bits(seed, high_bits, 0, RandomPurpose::scramble_of_origin),
+                   b = random_bits(seed, high_bits, 0, RandomPurpose::scramble_of_direction);
+        return {b[0], b[1], a[0], a[1], a[2], b[2]};
+    }
+
+    ScrambledSobol points_;
+};
+
 }  // namespace
 
 EmissionNumbers emission_numbers(std::uint64_t seed, std::uint64_t index) {
@@ -242,9 +273,10 @@ PhotonSource::PhotonSource(const Scene& scene) : scene_(&scene) {
         inverse_probability_.push_back(static_cast<float>(total / mean_power(e)));
 }
 
-PhotonSource::PhotonSource(const RayScene& rays) : PhotonSource(rays.scene()) {
+PhotonSource::PhotonSource(const RayScene& rays, EmissionSequence sequence) : PhotonSource(rays.scene()) {
     pilot_ = send_pilot(rays, *this);
     weigh_by_pilot();
+    sequence_ = sequence;
     constexpr double nearly_all = 15.0 / 16;
     if (pilot_.endless >= nearly_all) most_events_ = max_events_of_endless_light;
 }
@@ -278,7 +310,8 @@ void PhotonSource::add(const Emitter& emitter) {
 }
 
 EmittedPhoton PhotonSource::emit(std::uint64_t seed, std::uint64_t index) const {
-    return emit(emission_numbers(seed, index));
+    return emit(sequence_ == EmissionSequence::sobol ? SobolEmission(seed, index).numbers(index)
+                                                     : emission_numbers(seed, index));
 }
 
 EmittedPhoton PhotonSource::emit(const EmissionNumbers& numbers) const {
@@ -303,11 +336,16 @@ EmittedPhoton PhotonSource::emit_from(std::size_t emitter, const EmissionNumbers
 void PhotonSource::emit(std::uint64_t seed, std::uint64_t first_photon, float surface_offset,
                         PhotonBatch& photons) const {
     // First the random numbers, for a few photons at a time, in a loop that the compiler vectorises.
-    constexpr std::size_t together = 64;
     std::array<EmissionNumbers, together> numbers;
-    for (std::size_t begin = 0; begin < photons.size(); begin += together) {
-        const std::size_t count = std::min(together, photons.size() - begin);
-        for (std::size_t i = 0; i < count; ++i) numbers[i] = numbers_of(seed, first_photon + begin + i);
+    for (std::size_t begin = 0; begin < photons.size();) {
+        const std::uint64_t first = first_photon + begin;
+        const std::size_t count = std::min<std::size_t>(together - first % together, photons.size() - begin);
+        if (sequence_ == EmissionSequence::sobol) {
+            const SobolEmission sobol(seed, first);
+            for (std::size_t i = 0; i < count; ++i) numbers[i] = sobol.numbers(first + i);
+        } else {
+            for (std::size_t i = 0; i < count; ++i) numbers[i] = numbers_of(seed, first + i);
+        }
         for (std::size_t i = 0; i < count; ++i) {
             const EmittedPhoton photon = emit(numbers[i]);
             photons.number[begin + i] = static_cast<std::uint32_t>(begin + i);
@@ -315,6 +353,7 @@ void PhotonSource::emit(std::uint64_t seed, std::uint64_t first_photon, float su
             photons.direction.set(begin + i, photon.direction);
             photons.flux.set(begin + i, photon.flux);
         }
+        begin += count;
     }
 }
 

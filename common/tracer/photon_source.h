@@ -82,8 +82,16 @@ struct EmissionNumbers {
     Vec3 lobe;                         ///< cosine-distributed around +z, made of `towards`
 };
 
-/// Returns those of photon number `index` of the run with this seed.
+/// Returns those of photon number `index` of the run with this seed, all independent.
 [[nodiscard]] EmissionNumbers emission_numbers(std::uint64_t seed, std::uint64_t index);
+
+/// How the photons of a run are spread.
+enum class EmissionSequence : std::uint8_t {
+    random,  ///< independent of each other
+    sobol  ///< point number `index` of a scrambled Sobol' sequence of direction, place, light and face. Each
+           ///< seed, and each 2^32 photons of a run, have a scramble of their own. 2^m photons from a
+           ///< multiple of 2^m on are spread best.
+};
 
 class PhotonSource {
   public:
@@ -93,7 +101,7 @@ class PhotonSource {
     /// Sends a pilot first. A light that loses more than half of its photons gets a number in proportion to
     /// what it does not lose, but at least a hundredth of its share. If hardly any photon is absorbed or
     /// escapes, photons are given up earlier. All other scenes have the same photons as without a pilot.
-    explicit PhotonSource(const RayScene& rays);
+    explicit PhotonSource(const RayScene& rays, EmissionSequence sequence = EmissionSequence::random);
 
     /// Returns photon number `index` of the run with this seed. Lights are chosen in proportion to their
     /// power.
@@ -129,6 +137,7 @@ class PhotonSource {
     [[nodiscard]] EmittedPhoton emit(const EmissionNumbers& numbers) const;
 
     const Scene* scene_;
+    EmissionSequence sequence_ = EmissionSequence::random;
     std::vector<Emitter> emitters_;
     std::vector<float> inverse_probability_;  ///< of choosing each emitter
     std::vector<double> cumulative_;          ///< cumulative power up to and including each emitter, mean

@@ -76,7 +76,7 @@ void draw(const ComparePlan& plan, const CompareScene& scene, const std::vector<
 /// Returns false if the user interrupted it.
 bool compare_scene(const ComparePlan& plan, const std::string& file, ResultTable& table) {
     const LoadedScene loaded(file, plan.scene);
-    const common::PhotonSource source(loaded.rays);
+    const common::PhotonSource source(loaded.rays, plan.settings.emission);
     const QueryPoints queries = visible_query_points(loaded, plan.seed);
     PreparedScene prepared(loaded, plan.settings);
     print_scene_warnings(loaded);

@@ -26,6 +26,7 @@ void CompareOptions::add_to(Command& command) {
     scene.add_to(command);
     method_options.add_to(command);
     direct.add_to(command);
+    emission.add_to(command);
     run.add_to(command);
 }
 
@@ -45,6 +46,7 @@ ComparePlan make_plan(const CompareOptions& options) {
                      .threads = options.run.thread_count(),
                      .seed = options.run.seed};
     plan.settings.direct = options.direct.setting();
+    plan.settings.emission = options.emission.sequence();
     if (plan.repetitions < 1 || plan.repetitions > 10'000)
         throw common::InputError("--repetitions: from 1 to 10000");
     if (!(plan.seconds_per_size >= 0)) throw common::InputError("--seconds-per-size: must not be negative");

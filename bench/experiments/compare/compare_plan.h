@@ -8,6 +8,7 @@
 #include "bench/contenders/contender_options.h"
 #include "bench/contenders/direct_light.h"
 #include "bench/setup/command.h"
+#include "bench/setup/emission_option.h"
 #include "bench/setup/run_options.h"
 
 namespace bench::compare {
@@ -23,6 +24,7 @@ struct CompareOptions {
     SceneOptions scene;
     MethodOptions method_options;
     DirectOptions direct;
+    EmissionOption emission;
     RunOptions run;
 
     void add_to(Command& command);

@@ -22,7 +22,7 @@ RowInput begin_row(const ComparePlan& plan, const CompareScene& scene, const Con
                  .hits_asked = hits,
                  .seed = plan.seed,
                  .threads = plan.threads,
-                 .direct = plan.settings.direct,
+                 .settings = plan.settings,
                  .queries = scene.queries.image_order.size(),
                  .texels = 0,
                  .null_sink = {},

@@ -83,7 +83,7 @@ Json make_row(const RowInput& in) {
     row["hits_asked"] = in.hits_asked;
     row["seed"] = in.seed;
     row["threads"] = in.threads;
-    add_direct_facts(row, in.direct);
+    add_run_facts(row, in.settings);
     row["fingerprint"] = in.fingerprint;
     row["needed_bytes"] = in.needed_bytes;
     row["max_memory_bytes"] = in.max_bytes;

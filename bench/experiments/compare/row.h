@@ -18,7 +18,7 @@ struct RowInput {
     std::uint64_t hits_asked = 0;
     std::uint64_t seed = 0;
     int threads = 1;
-    DirectSetting direct{};
+    ContenderSettings settings{};
     std::size_t queries = 0;
     std::size_t texels = 0;                      ///< of the light map; 0 for photon maps
     std::vector<common::TraceReport> null_sink;  ///< one per repetition, paired with `measurements`

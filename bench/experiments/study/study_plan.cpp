@@ -49,6 +49,7 @@ void StudyOptions::add_to(Command& command) {
     scene.add_to(command);
     method_options.add_to(command);
     direct.add_to(command);
+    emission.add_to(command);
 }
 
 StudyPlan make_plan(const StudyOptions& options) {
@@ -67,6 +68,7 @@ StudyPlan make_plan(const StudyOptions& options) {
         .threads = RunOptions{.threads = options.threads}.thread_count(),
     };
     plan.settings.direct = options.direct.setting();
+    plan.settings.emission = options.emission.sequence();
     require_different_names(options.files);
     if (plan.seeds < 1 || plan.seeds > 1000) throw common::InputError("--seeds: from 1 to 1000");
     std::error_code unreadable;

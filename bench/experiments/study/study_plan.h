@@ -8,6 +8,7 @@
 #include "bench/contenders/contender_options.h"
 #include "bench/contenders/direct_light.h"
 #include "bench/setup/command.h"
+#include "bench/setup/emission_option.h"
 #include "bench/setup/run_options.h"
 
 namespace bench::study {
@@ -51,6 +52,7 @@ struct StudyOptions {
     SceneOptions scene;
     MethodOptions method_options;
     DirectOptions direct;
+    EmissionOption emission;
     int threads = 0;
 
     void add_to(Command& command);

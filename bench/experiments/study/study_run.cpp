@@ -35,7 +35,7 @@ Json row_start(const RunFacts& facts, const Contender& contender, const Contende
     row["texels"] = light_map ? light_map->texel_choice(settings).count : 0;
     row["hits_asked"] = facts.hits_asked;
     row["seed"] = facts.seed;
-    add_direct_facts(row, settings.direct);
+    add_run_facts(row, settings);
     return row;
 }
 

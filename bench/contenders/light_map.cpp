@@ -29,7 +29,7 @@ std::vector<std::string> basis_names() {
 
 constexpr std::size_t most_neighbours = 100'000;
 const std::string gather_form =
-    fmt::format("own, bilinear, midpoints, cubic, surfaceK or knnK with K from 1 to {}", most_neighbours);
+    fmt::format("own, bilinear, surfaceK or knnK with K from 1 to {}", most_neighbours);
 const std::string rest_form =
     "uv, face, a number of texels such as t65536, of hits to a block such as h0, or half, in this order";
 
@@ -37,8 +37,6 @@ shlm::Gather take_gather(NameParts& parts) {
     const std::string part = parts.take("surface4");
     if (part == "own") return shlm::OwnTexel{};
     if (part == "bilinear") return shlm::Bilinear{};
-    if (part == "midpoints") return shlm::Bilinear{true};
-    if (part == "cubic") return shlm::Cubic{};
     for (const auto& [prefix, of_own_surface] : {std::pair("surface", true), std::pair("knn", false)})
         if (const auto count = count_after(prefix, part, 1, most_neighbours))
             return shlm::NearestTexels{*count, of_own_surface};
@@ -83,8 +81,7 @@ std::vector<NameField> fields() {
          "what a hit stands for: radiance is right; flux is the paper read literally; normalised is exact "
          "at the surface's own normal"},
         {"gather", gather_form,
-         "which texels answer: the point's own, the four around it by their means or by values at their "
-         "middles, the sixteen around it, the nearest K of its own surface, or "
+         "which texels answer: the point's own, the four around it, the nearest K of its own surface, or "
          "the nearest K in space, as in the paper"},
         {"rest", rest_form,
          "each may be left out: texels by lightmap coordinates or by faces; their number; hits below which "

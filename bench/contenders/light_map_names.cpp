@@ -26,10 +26,7 @@ const LightBasis& basis_named(const std::string& name) {
 std::string name_of(const shlm::Gather& gather) {
     if (const auto* nearest = std::get_if<shlm::NearestTexels>(&gather))
         return fmt::format("{}{}", nearest->of_own_surface ? "surface" : "knn", nearest->count);
-    if (std::holds_alternative<shlm::Cubic>(gather)) return "cubic";
-    if (std::holds_alternative<shlm::Bilinear>(gather))
-        return shlm::is_of_midpoints(gather) ? "midpoints" : "bilinear";
-    return "own";
+    return std::holds_alternative<shlm::Bilinear>(gather) ? "bilinear" : "own";
 }
 
 void take_texels(NameParts& parts, TexelSetting& setting) {

@@ -11,15 +11,7 @@ namespace shlm {
 struct OwnTexel {};
 
 /// The four texels around the point in the lightmap, those of its chart that face as the point does.
-struct Bilinear {
-    bool of_midpoints =
-        false;  ///< between values at the texels' middles (midpoints.h), not between their means
-};
-
-/// The sixteen texels around the point in the lightmap, by Catmull and Rom's cubic between values at their
-/// middles ("A class of local interpolating splines", 1974). Where one of them is beyond the chart or faces
-/// another way: the four around the point, as Bilinear{true}.
-struct Cubic {};
+struct Bilinear {};
 
 /// The texels nearest in space that face as the point does.
 struct NearestTexels {
@@ -30,12 +22,7 @@ struct NearestTexels {
     bool of_own_surface = true;
 };
 
-using Gather = std::variant<OwnTexel, Bilinear, NearestTexels, Cubic>;
-
-[[nodiscard]] inline bool is_of_midpoints(const Gather& gather) {
-    const auto* bilinear = std::get_if<Bilinear>(&gather);
-    return std::holds_alternative<Cubic>(gather) || (bilinear && bilinear->of_midpoints);
-}
+using Gather = std::variant<OwnTexel, Bilinear, NearestTexels>;
 
 /// Texels in blocks with fewer hits share one light (texel_blocks.h); 0: each shows its own. A block that is
 /// just not divided has 25 to 100 hits and the noise of a photon map with 50 nearest photons, its default. A

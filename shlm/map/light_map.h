@@ -9,7 +9,6 @@
 #include "common/estimator/irradiance_estimator.h"
 #include "shlm/basis/harmonics.h"
 #include "shlm/map/irradiance_mean.h"
-#include "shlm/map/midpoints.h"
 #include "shlm/map/stored_texel.h"
 #include "shlm/map/texel_blocks.h"
 #include "shlm/sums/texel_sums.h"
@@ -27,8 +26,7 @@ class LightMap {
     LightMap(const TexelSums<Model>& sums, const PreparedTexels& texels, float watts_per_flux,
              const Gather& gather, std::uint64_t least_hits)
         : lookup_(make_lookup(texels, gather)) {
-        std::vector<Texel<B>> finished =
-            finished_texels(sums, texels, watts_per_flux, least_hits, is_of_midpoints(gather));
+        std::vector<Texel<B>> finished = finished_texels(sums, texels, watts_per_flux, least_hits);
         if constexpr (std::is_same_v<Number, float>) {
             texels_ = std::move(finished);
         } else {
@@ -74,7 +72,7 @@ class LightMap {
     template <class Model>
     [[nodiscard]] std::vector<Texel<B>> finished_texels(const TexelSums<Model>& sums,
                                                         const PreparedTexels& texels, float watts_per_flux,
-                                                        std::uint64_t least_hits, bool of_midpoints) const {
+                                                        std::uint64_t least_hits) const {
         static_assert(Model::order == B::order);
         const std::vector<std::uint32_t> held =
             std::visit([&](const auto& lookup) { return lookup.held_texels(texels); }, lookup_);
@@ -82,29 +80,15 @@ class LightMap {
         for (std::size_t i = 0; i < held.size(); ++i) place[held[i]] = static_cast<std::uint32_t>(i);
 
         std::vector<Texel<B>> finished(held.size());
-        const auto finish = [&](std::uint32_t texel, const std::array<common::Rgb, Model::summed>& mean) {
+        const auto show = [&](std::uint32_t texel, const TexelSum<Model>& sum, double area) {
             if (place[texel] == no_texel) return;
             const TexelGeometry& geometry = texels.geometry[texel];
-            const TexelLight<B::order> light = finished_light<Model>(mean, geometry.normal);
+            const TexelLight<B::order> light =
+                finished_light<Model>(mean_of(sum, area, watts_per_flux), geometry.normal);
             finished[place[texel]] = {{geometry.normal, geometry.area},
                                       B::numbers_of(light, geometry.normal)};
         };
-        if (of_midpoints) {
-            std::vector<std::array<common::Rgb, Model::summed>> means(texels.geometry.size());
-            const auto keep = [&](std::uint32_t texel, const TexelSum<Model>& sum, double area) {
-                means[texel] = mean_of(sum, area, watts_per_flux);
-            };
-            TexelBlocks(sums, texels, least_hits, keep).show_all();
-            means = midpoints(texels, means);
-            tbb::parallel_for(std::size_t{0}, means.size(), [&](std::size_t texel) {
-                finish(static_cast<std::uint32_t>(texel), means[texel]);
-            });
-        } else {
-            const auto show = [&](std::uint32_t texel, const TexelSum<Model>& sum, double area) {
-                finish(texel, mean_of(sum, area, watts_per_flux));
-            };
-            TexelBlocks(sums, texels, least_hits, show).show_all();
-        }
+        TexelBlocks(sums, texels, least_hits, show).show_all();
         return finished;
     }
 

@@ -20,7 +20,6 @@ TexelLookup make_lookup(const PreparedTexels& texels, const Gather& gather) {
     if (const auto* nearest = std::get_if<NearestTexels>(&gather))
         return NearestTexelsLookup(texels, *nearest);
     if (std::holds_alternative<Bilinear>(gather)) return BilinearLookup(texels, Bilinear{});
-    if (std::holds_alternative<Cubic>(gather)) return CubicLookup(texels, Cubic{});
     return OwnTexelLookup(texels, OwnTexel{});
 }
 

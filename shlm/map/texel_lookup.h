@@ -1,7 +1,6 @@
 // Finds the texels that contribute to a point, and their weights.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -92,50 +91,6 @@ class BilinearLookup {
     TexelPlaces places_;
 };
 
-/// The sixteen texels around the point where all of them look the same way, else the four.
-class CubicLookup {
-  public:
-    CubicLookup(const PreparedTexels& texels, Cubic) : four_(texels.layout), places_(texels.layout) {}
-
-    [[nodiscard]] static std::vector<std::uint32_t> held_texels(const PreparedTexels& texels) {
-        return OwnTexelLookup::held_texels(texels);
-    }
-
-    template <class Face, class Use>
-    void visit(const common::SurfacePoint& point, Face face, Use use) const {
-        const std::optional<TexelPlace> place = places_.find(point);
-        if (!place) return;
-        const TexelRegion& region = places_.region(*place);
-        const common::Vec2 at = place->at - common::Vec2(0.5f, 0.5f);
-        const float left = std::floor(at.x), top = std::floor(at.y);
-        const int first_x = static_cast<int>(left) - 1, first_y = static_cast<int>(top) - 1;
-        if (first_x < 0 || first_y < 0 || first_x + 4 > static_cast<int>(region.width) ||
-            first_y + 4 > static_cast<int>(region.height))
-            return four_.visit(point, face, use);
-        const std::uint32_t first = region.first_texel_of(place->back) +
-                                    static_cast<std::uint32_t>(first_y) * region.width +
-                                    static_cast<std::uint32_t>(first_x);
-        for (std::uint32_t i = 0; i < 16; ++i)
-            if (!face(first + i / 4 * region.width + i % 4).looks_the_way_of(point))
-                return four_.visit(point, face, use);
-        const std::array<float, 4> across = weights(at.x - left), down = weights(at.y - top);
-        for (std::uint32_t i = 0; i < 16; ++i)
-            use(first + i / 4 * region.width + i % 4, across[i % 4] * down[i / 4]);
-    }
-
-    [[nodiscard]] std::size_t bytes() const { return places_.bytes(); }
-
-  private:
-    /// Returns the weights of four values at -1, 0, 1 and 2 for a place between 0 and 1.
-    static std::array<float, 4> weights(float t) {
-        return {((-0.5f * t + 1) * t - 0.5f) * t, (1.5f * t - 2.5f) * t * t + 1,
-                ((-1.5f * t + 2) * t + 0.5f) * t, (0.5f * t - 0.5f) * t * t};
-    }
-
-    BilinearLookup four_;
-    TexelPlaces places_;
-};
-
 /// The nearest texels in space that face as the point does, within TexelTree::max_radius, weighted by their
 /// areas projected onto its surface. If NearestTexels asks for those of the own surface, others contribute
 /// only if it has no texels within that radius.
@@ -186,7 +141,7 @@ class NearestTexelsLookup {
     std::size_t count_;
 };
 
-using TexelLookup = std::variant<OwnTexelLookup, BilinearLookup, NearestTexelsLookup, CubicLookup>;
+using TexelLookup = std::variant<OwnTexelLookup, BilinearLookup, NearestTexelsLookup>;
 
 [[nodiscard]] TexelLookup make_lookup(const PreparedTexels& texels, const Gather& gather);
 

@@ -14,6 +14,7 @@ REPORTS = {  # module, arguments, what it makes
     "fit-promise": ("report.fit.promise", "SHLMBENCH SHLMBENCH_SCENES OUT...", "whether fit keeps its word on random rooms; --help says the rest"),
     "fit-verdict": ("report.fit.verdict", "FIT.json...", "whether each fit meets its target when it is verified"),
     "model-bytes": ("report.fit.model_bytes", "STUDY OUT", "the smallest map for each error"),
+    "lighter": ("report.lighter", "OUT", "lighter.md: bases, direct light apart and emission by a sequence, of the studies in OUT"),
     "bases": ("report.bases_charts", "FOLDER", "charts of FOLDER/bases.json"),
     "stability": ("report.stability_charts", "FOLDER", "charts of FOLDER/stability.json"),
     "billion-figure": ("report.claims.billion_figure", "FOLDER", "figure.png: the atrium at a billion hits"),
